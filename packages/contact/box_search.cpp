@@ -4,53 +4,41 @@
 
 namespace mudline {
 
-namespace {
-
-constexpr BoxSearch::Corners empty{Point{1e300, 1e300, 1e300}, Point{-1e300, -1e300, -1e300}};
-
-void enclose(const Point& x, BoxSearch::Corners& box) {
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    box[0][i] = std::min(box[0][i], x[i]);
-    box[1][i] = std::max(box[1][i], x[i]);
-  }
-}
-
-}  // namespace
-
-BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x) {
-  BoxSearch::Corners box = empty;
-  for (int a = 0; a < count; ++a) enclose(place_of(x, node[a]), box);
+Bounds side_box(const int* node, int count, const ConstCoordinateView& x) {
+  Bounds box = Bounds::nothing();
+  for (int a = 0; a < count; ++a) box.enclose(place_of(x, node[a]));
   return box;
 }
 
-void BoxSearch::sort(const std::vector<Corners>& boxes) {
+void BoxSearch::sort(const std::vector<Bounds>& boxes) {
   boxes_.clear();
-  Corners whole = empty;
+  Bounds whole = Bounds::nothing();
   for (std::size_t s = 0; s < boxes.size(); ++s) {
-    boxes_.push_back({boxes[s][0], boxes[s][1], static_cast<int>(s)});
-    for (const Point& corner : boxes[s]) enclose(corner, whole);
+    boxes_.push_back({boxes[s], static_cast<int>(s)});
+    whole.enclose(boxes[s].low);
+    whole.enclose(boxes[s].high);
   }
   const auto& [low, high] = whole;
   along_ = 0;
   for (int i = 1; i < 3; ++i)
     if (high[i] - low[i] > high[along_] - low[along_]) along_ = i;
   std::sort(boxes_.begin(), boxes_.end(), [this](const Box& a, const Box& b) {
-    return a.low[along_] != b.low[along_] ? a.low[along_] < b.low[along_] : a.number < b.number;
+    return a.at.low[along_] != b.at.low[along_] ? a.at.low[along_] < b.at.low[along_] : a.number < b.number;
   });
   longest_ = 0;
-  for (const Box& box : boxes_) longest_ = std::max(longest_, box.high[along_] - box.low[along_]);
+  for (const Box& box : boxes_) longest_ = std::max(longest_, box.at.high[along_] - box.at.low[along_]);
 }
 
-std::vector<int> BoxSearch::near(const Corners& around, double distance) const {
+std::vector<int> BoxSearch::near(const Bounds& around, double distance) const {
   const auto& [low, high] = around;
   std::vector<int> result;
   const double from = low[along_] - distance - longest_, to = high[along_] + distance;
   auto box = std::lower_bound(boxes_.begin(), boxes_.end(), from,
-                              [this](const Box& b, double v) { return b.low[along_] < v; });
-  for (; box != boxes_.end() && box->low[along_] <= to; ++box) {
+                              [this](const Box& b, double v) { return b.at.low[along_] < v; });
+  for (; box != boxes_.end() && box->at.low[along_] <= to; ++box) {
     bool apart = false;
-    for (std::size_t i = 0; i < low.size(); ++i)
-      apart = apart || box->low[i] > high[i] + distance || box->high[i] < low[i] - distance;
+    for (std::size_t i = 0; i < 3; ++i)
+      apart = apart || box->at.low[i] > high[i] + distance || box->at.high[i] < low[i] - distance;
     if (!apart) result.push_back(box->number);
   }
   std::sort(result.begin(), result.end());

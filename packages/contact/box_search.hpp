@@ -1,24 +1,22 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "discretisation/mesh.hpp"
 #include "framework/state.hpp"
-#include "tensor/vec.hpp"
 
 namespace mudline {
 
 /// Finds the boxes near another one. The boxes are sorted along the direction in which they spread most.
 class BoxSearch {
  public:
-  using Corners = std::array<Point, 2>;  // [m] low, high; in the plane the third coordinates are 0
-  void sort(const std::vector<Corners>& boxes);
+  void sort(const std::vector<Bounds>& boxes);
   /// Numbers of the boxes that come within `distance` [m] of the box, in ascending order.
-  std::vector<int> near(const Corners& box, double distance) const;
+  std::vector<int> near(const Bounds& box, double distance) const;
 
  private:
   struct Box {
-    Point low, high;
+    Bounds at;
     int number;
   };
   std::vector<Box> boxes_;  // sorted by low[along_]
@@ -27,6 +25,6 @@ class BoxSearch {
 };
 
 /// The box around the nodes of a side.
-BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x);
+Bounds side_box(const int* node, int count, const ConstCoordinateView& x);
 
 }  // namespace mudline

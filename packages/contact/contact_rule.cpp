@@ -7,6 +7,35 @@
 
 namespace mudline {
 
+namespace {
+
+template <int D>
+Point outward_normal(const ContactRule& rule, int c, const SideCoordinates& x) {
+  SideMap<D> map;
+  map.compute(rule.nodes, &rule.shape(c, 0), &rule.shape_slope(c, 0), [&](int a, int i) { return x[a][i]; });
+  Point result{};
+  for (int i = 0; i < D; ++i) result[i] = map.normal[i] / map.stretch;
+  return result;
+}
+
+template <int D>
+bool areas_and_slopes(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area,
+                      AreaSlopes& slope) {
+  constexpr int places = D * (D == 2 ? max_line_nodes : max_side_nodes);
+  Vec<Dual<places>, D> node[max_side_nodes];
+  for (int a = 0; a < rule.nodes; ++a)
+    for (int i = 0; i < D; ++i) node[a][i] = Dual<places>(x[a][i], D * a + i);
+  Dual<places> numbers[max_contact_points];
+  if (!contact_areas<D>(rule, node, geometry, numbers)) return false;
+  for (int c = 0; c < rule.points; ++c) {
+    area[c] = numbers[c].v;
+    std::copy_n(numbers[c].d, D * rule.nodes, slope[c]);
+  }
+  return true;
+}
+
+}  // namespace
+
 double farthest(const SideCoordinates& x) {
   double result = 0;
   for (const Point& point : x) result = std::max(result, length(point));
@@ -16,6 +45,7 @@ double farthest(const SideCoordinates& x) {
 ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) {
   side = side_;
   nodes = num_nodes(side);
+  multipliers = side == CellShape::tri6 ? num_corners(side) : nodes;
   const QuadratureRule gauss = cell_quadrature(side, degree);
   samples = static_cast<int>(gauss.weights.size());
   const bool nodal = kind == ContactPoints::nodes;
@@ -43,6 +73,16 @@ ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) {
 bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area) {
   return dimension(rule.side) == 1 ? contact_areas<2>(rule, x, geometry, area)
                                    : contact_areas<3>(rule, x, geometry, area);
+}
+
+bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area,
+                   AreaSlopes& slope) {
+  return dimension(rule.side) == 1 ? areas_and_slopes<2>(rule, x, geometry, area, slope)
+                                   : areas_and_slopes<3>(rule, x, geometry, area, slope);
+}
+
+Point ContactRule::outward(int c, const SideCoordinates& x) const {
+  return dimension(side) == 1 ? outward_normal<2>(*this, c, x) : outward_normal<3>(*this, c, x);
 }
 
 double nearness(const ContactRule& rule, int point, int node) {

@@ -30,38 +30,41 @@ SideCoordinates side_coordinates(const Side& side, const ConstCoordinateView& x)
 /// Largest distance of a node from the origin [m].
 double farthest(const SideCoordinates& x);
 
-/// Contact points on a side and their areas, as kernels read them. Point c lies at sum_a shape[c][a] X_a, spreads its
-/// force to the nodes by the same shape, and has the area A_c = sum_q weight[c][q] |x'(q)| measure(x(q)) over Gauss
-/// points q, with |x'| the area per reference area. Surface quadrature: the points are the Gauss points. Nodes (in the
-/// plane): shape is the identity and A_c = int N_c ds, the tributary area.
-struct ContactTables {
-  using Table = Kokkos::View<double**, Kokkos::LayoutRight>;
-  CellShape side;
-  int nodes, points, samples;
-  Table shape;                      // (point, node)
-  Table corner;                     // (point, corner) of the linear shape on the corners
-  Table shape_slope, corner_slope;  // their reference gradients (point, corner or node and reference coordinate)
-  Table weight;                     // (point, sample)
-  Table N, dN;                      // (sample, node), (sample, node and reference coordinate)
-
+/// Contact points on a side and their areas. Point c lies at sum_a shape[c][a] X_a, spreads its force to the nodes by
+/// the same shape, and has the area A_c = sum_q weight[c][q] |x'(q)| measure(x(q)) over Gauss points q, with |x'| the
+/// area per reference area. Surface quadrature: the points are the Gauss points. Nodes (in the plane): shape is the
+/// identity and A_c = int N_c ds, the tributary area.
+struct ContactRule {
+  ContactRule(ContactPoints kind, CellShape side, int degree);
   /// Where point c lies on a side with these nodes [m].
-  KOKKOS_INLINE_FUNCTION Point place(int c, const SideCoordinates& x) const {
+  Point place(int c, const SideCoordinates& x) const {
     Point at{};
     for (int a = 0; a < nodes; ++a)
       for (int i = 0; i < 3; ++i) at[i] += shape(c, a) * x[a][i];
     return at;
   }
-};
-/// The tables of a side's shape, with data that only the host reads.
-struct ContactRule : ContactTables {
-  ContactRule(ContactPoints kind, CellShape side, int degree);
-  std::vector<Vec<double, 3>> xi;  // (point) reference coordinates
+  /// Shapes of multipliers at point c: those of the side. On a triangle of six nodes those of its corners: the
+  /// integrals of its own vanish there, and nothing can be averaged by them.
+  const double* multiplier_shape(int c) const { return multipliers < nodes ? &corner(c, 0) : &shape(c, 0); }
+  /// Unit normal at point c out of the slave.
+  Point outward(int c, const SideCoordinates& x) const;
+
+  using Table = Kokkos::View<double**, Kokkos::LayoutRight>;
+  CellShape side;
+  int nodes, points, samples;
+  int multipliers;                  // number of the first nodes that have multipliers
+  Table shape;                      // (point, node)
+  Table corner;                     // (point, corner) of the linear shape on the corners
+  Table shape_slope, corner_slope;  // their reference gradients (point, corner or node and reference coordinate)
+  Table weight;                     // (point, sample)
+  Table N, dN;                      // (sample, node), (sample, node and reference coordinate)
+  std::vector<Vec<double, 3>> xi;   // (point) reference coordinates
 };
 
 /// Current areas of the contact points of a side [m2], in plane strain per metre of depth, from the nodes' positions
 /// x[a][i]. D: dimension. False when the side is degenerate: no area, or r < 0.
 template <int D, class T, class Nodes>
-KOKKOS_INLINE_FUNCTION bool contact_areas(const ContactTables& rule, const Nodes& x, Geometry geometry, T* area) {
+bool contact_areas(const ContactRule& rule, const Nodes& x, Geometry geometry, T* area) {
   for (int c = 0; c < rule.points; ++c) area[c] = T(0.0);
   for (int q = 0; q < rule.samples; ++q) {
     SideMap<D, T> map;
@@ -76,6 +79,11 @@ KOKKOS_INLINE_FUNCTION bool contact_areas(const ContactTables& rule, const Nodes
 }
 /// Overload that takes the dimension from the side's shape.
 bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area);
+/// Slopes of areas [m] by the positions of the side's nodes (node, axis).
+using AreaSlopes = double[max_contact_points][3 * max_side_nodes];
+/// Overload that gives the slopes too.
+bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area,
+                   AreaSlopes& slope);
 
 /// Weight of a node at a contact point: 1 at the node, falling to 0 at half the side's length. It is never negative,
 /// unlike the quadratic shapes.

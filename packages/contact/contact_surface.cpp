@@ -52,9 +52,8 @@ std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateVi
   return result;
 }
 
-ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures,
-                               const BodyUnknowns& body)
-    : mesh_(space.mesh()), exchange_(mesh_), body_unknowns_(body.count) {
+ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures)
+    : mesh_(space.mesh()), exchange_(mesh_) {
   std::map<CellShape, int> rows;
   for (const Side& side : mesh_.side_sets().at(side_set)) {
     const ElementBlock& block = mesh_.blocks()[side.block];
@@ -70,13 +69,12 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
     int more = 0;
     if (pressure >= 0)
       more = space.field(pressure).support == Support::vertices ? num_corners(shape) : num_nodes(shape);
-    const int width = mesh_.dimension() * num_nodes(shape) + more + body.count;
+    const int width = mesh_.dimension() * num_nodes(shape) + more;
     Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", count, width);
     for (const SurfaceSide& side : sides_) {
       if (side.shape != shape) continue;
       int* to = space.write_dofs(displacement, side.node, side.count, &table(side.row, 0));
-      to = space.write_dofs(pressure, side.node, more, to);
-      std::copy_n(body.dof, body.count, to);
+      space.write_dofs(pressure, side.node, more, to);
     }
     shapes_.push_back(shape);
     dofs_[shape] = table;
@@ -86,7 +84,7 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
 }
 
 int ContactSurface::pressure_nodes(CellShape shape) const {
-  return static_cast<int>(dofs(shape).extent(1)) - mesh_.dimension() * num_nodes(shape) - body_unknowns_;
+  return static_cast<int>(dofs(shape).extent(1)) - mesh_.dimension() * num_nodes(shape);
 }
 
 std::vector<long long> ContactSurface::row_ids(const std::function<int(std::size_t side)>& rows) const {

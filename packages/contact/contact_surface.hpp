@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "bodies/rigid_body.hpp"
 #include "framework/nodal_exchange.hpp"
 #include "framework/space.hpp"
 #include "framework/state.hpp"
@@ -22,11 +21,11 @@ struct SurfaceSide {
   double height;  // [m] height of the element above the side, in the mesh at the start
 };
 
-/// The sides of a side set that may touch a body: nodes, dofs, neighbours over the ranks.
+/// The sides of a side set that may touch a target: nodes, dofs, neighbours over the ranks.
 class ContactSurface {
  public:
-  /// `pressures`: the dof tables hold the pore pressures too. The dofs of the body's unknowns follow them. Collective.
-  ContactSurface(const Space& space, const std::string& side_set, bool pressures, const BodyUnknowns& body);
+  /// `pressures`: the dof tables hold the pore pressures too. Collective.
+  ContactSurface(const Space& space, const std::string& side_set, bool pressures);
 
   const std::vector<SurfaceSide>& sides() const { return sides_; }
   const Mesh& mesh() const { return mesh_; }
@@ -34,7 +33,7 @@ class ContactSurface {
   long long num_global_sides() const { return num_global_sides_; }
   /// The shapes that this rank's sides have, in a fixed order.
   const std::vector<CellShape>& shapes() const { return shapes_; }
-  /// Dofs of the sides of a shape: (row, displacements node after node, then pore pressures, then the body's).
+  /// Dofs of the sides of a shape: (row, displacements node after node, then pore pressures).
   const ElementDofs& dofs(CellShape shape) const { return dofs_.at(shape); }
   /// How many of the first nodes of a side of a shape have their pore pressure in its dofs.
   int pressure_nodes(CellShape shape) const;
@@ -56,7 +55,6 @@ class ContactSurface {
   std::vector<CellShape> shapes_;
   std::map<CellShape, ElementDofs> dofs_;
   long long num_global_sides_ = 0;
-  int body_unknowns_ = 0;
 };
 
 /// Shortest and longest edge of one side [m].

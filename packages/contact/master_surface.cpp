@@ -52,7 +52,7 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
 }
 
 void MasterSurface::sort(const ConstCoordinateView& x) {
-  std::vector<BoxSearch::Corners> boxes;
+  std::vector<Bounds> boxes;
   for (const MasterSide& side : sides_) boxes.push_back(side_box(side.node, side.count, x));
   boxes_.sort(boxes);
 }

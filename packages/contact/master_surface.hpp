@@ -27,7 +27,7 @@ class MasterSurface {
   /// Prepares near(): the sides' boxes at these coordinates, sorted along the direction in which the surface is longer.
   void sort(const ConstCoordinateView& x);
   /// Sides whose boxes come within `distance` [m] of the box, in ascending order.
-  std::vector<int> near(const BoxSearch::Corners& box, double distance) const { return boxes_.near(box, distance); }
+  std::vector<int> near(const Bounds& box, double distance) const { return boxes_.near(box, distance); }
 
  private:
   std::vector<MasterSide> sides_;

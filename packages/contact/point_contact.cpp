@@ -6,28 +6,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/conjugate_position.hpp"
 #include "contact/convection.hpp"
 #include "tensor/midpoint_rule.hpp"
 
 namespace mudline {
-
-namespace {
-
-/// Unit normal of a side at a point of its rule, out of the soil.
-template <int D>
-Point outward_normal(const ContactRule& rule, int c, const SideCoordinates& x) {
-  SideMap<D> map;
-  map.compute(rule.nodes, &rule.shape(c, 0), &rule.shape_slope(c, 0), [&](int a, int i) { return x[a][i]; });
-  Point result{};
-  for (int i = 0; i < D; ++i) result[i] = map.normal[i] / map.stretch;
-  return result;
-}
-
-Point outward_normal(const ContactRule& rule, int c, const SideCoordinates& x) {
-  return dimension(rule.side) == 1 ? outward_normal<2>(rule, c, x) : outward_normal<3>(rule, c, x);
-}
-
-}  // namespace
 
 void PointContact::read(const Section& section) {
   name_ = section.name();
@@ -46,11 +29,10 @@ void PointContact::check_parts(const Section& section, bool conserving, bool dam
   if (damping) section.fail("a film damps by itself; it takes no 'damping'", "damping");
 }
 
-void PointContact::make_points(const std::string& surface, const BodyUnknowns& body, ContactPoints kind,
-                               int quadrature_degree) {
+void PointContact::make_points(const std::string& surface, ContactPoints kind, int quadrature_degree) {
   set_ = surface;
   if (parts_.drainage.has_film()) laws_.ask_for_pore_pressure();
-  surface_ = std::make_unique<ContactSurface>(context_.space, surface, laws_.read_pore_pressure(), body);
+  surface_ = std::make_unique<ContactSurface>(context_.space, surface, laws_.read_pore_pressure());
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
@@ -60,10 +42,11 @@ void PointContact::make_points(const std::string& surface, const BodyUnknowns& b
   for (const SurfaceSide& side : sides()) first_row_.push_back(first_row_.back() + rule(side).points);
 }
 
-void PointContact::declare_points(StateStore& store, const std::vector<StateVariable>& more) {
+void PointContact::declare_points(StateStore& store) {
   laws_.declare_state(store);
   const auto ids = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
-  rows_.declare_state(store, name() + "/", ids, axes(), more, laws_.friction() != nullptr, enforcement_.augmented());
+  rows_.declare_state(store, name() + "/", ids, axes(), target_->columns(), laws_.friction() != nullptr,
+                      enforcement_.augmented());
   if (parts_.drainage.has_film()) parts_.drainage.film.declare_state(store, name() + "/", ids, axes());
   parts_.initial_gap.declare_state(store, name() + "/", ids);
   penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
@@ -77,19 +60,199 @@ void PointContact::begin_parts(const StepView& view) {
   if (leak_) leak_->open(view.flow ? covered_sides(*view.committed) : std::vector<char>());
 }
 
-ContactPointLaw PointContact::law(const StepView& view, std::size_t side, double damping) const {
-  ContactPointLaw result = laws_.in_step(view, damping);
+void PointContact::sparsity(Assembler& assembler) {
+  const auto& x = surface_->mesh().coordinates();
+  for (std::size_t s = 0; s < sides().size(); ++s)
+    for (int piece : target_->near(box(s, x), reach_)) {
+      const SurfaceSide& side = sides()[s];
+      const int pressures = surface_->pressure_nodes(side.shape);
+      std::vector<int> dofs(axes() * side.count + target_->num_dofs(piece) + pressures);
+      int* to = context_.space.write_dofs(displacement_, side.node, side.count, dofs.data());
+      to = target_->write_dofs(piece, to);
+      context_.space.write_dofs(pressure_, side.node, pressures, to);
+      pairs_.add(s, piece, std::move(dofs));
+    }
+  pairs_.sparsity(assembler);
+  if (leak_) leak_->sparsity(assembler);
+}
+
+bool PointContact::measure(std::size_t side, const SideCoordinates& x_old, const SideCoordinates& x, bool slopes,
+                           PointAreas& areas) const {
+  const ContactRule& points = rule(sides()[side]);
+  const Geometry geometry = context_.space.mesh().geometry();
+  if (parts_.drainage.has_film() && !contact_areas(points, x_old, geometry, areas.old)) return false;
+  if (!slopes) return contact_areas(points, x, geometry, areas.now);
+  return contact_areas(points, x, geometry, areas.now, areas.slope);
+}
+
+ContactPointLaw PointContact::law(const StepView& view, std::size_t side) const {
+  ContactPointLaw result = laws_.in_step(view, damping_);
   result.penalty = penalty(*view.trial, side);
   result.first_guess = predicting_;
+  result.touch = touch_;
+  result.conserves = conserves(view);
   return result;
+}
+
+template <class Take>
+int PointContact::evaluate(const StepView& view, bool tangent, const Take& take) {
+  const State& committed = *view.committed;
+  const bool ahead = conserves(view);
+  const ConstCoordinateView x_old = ahead ? moved_ahead(context_.space, view.x_old, view.impact.ahead_old) : view.x_old,
+                            x_end = ahead ? moved_ahead(context_.space, view.x_end, view.impact.ahead_end) : view.x_end;
+  target_->move(view, ahead);
+  SideAction action;
+  action.tangent = tangent;
+  PointAreas areas;
+  int failures = 0;
+  for (std::size_t s = 0; s < sides().size(); ++s) {
+    const SurfaceSide& side = sides()[s];
+    const ContactRule& points = rule(side);
+    const SideCoordinates before = side_coordinates(side, x_old), now = side_coordinates(side, x_end);
+    const bool near = !candidates_[s].empty(), sound = near && measure(s, before, now, tangent, areas);
+    failures += near && !sound;
+    const int pressures = surface_->pressure_nodes(side.shape);
+    const SideFilm water = film(view, s);
+    ContactPointLaw acting = law(view, s);
+    acting.film = water.acts;
+    int open = -1;  // entry of `action`
+    for (int c = 0; c < points.points; ++c) {
+      const int row = first_row_[s] + c;
+      const Point at = points.place(c, now), out = outward(row);
+      TargetPlace place;
+      if (!sound || (areas.fixed && !(areas.now[c] > 0)) ||
+          !target_->find(candidates_[s], at, out, capture_, x_end, place)) {
+        if (tangent) continue;
+        write_away(view, row);
+        leave(view, s, row, capture_);
+        continue;
+      }
+      const int here = pairs_.row(s, place.piece);
+      if (here != open || here < 0) {
+        if (open >= 0) take(s, open, action);
+        action.open(axes() * side.count, target_->num_dofs(place.piece), pressures);
+        open = here;
+      }
+      PointInStep point{acting, water, candidates_[s], capture_, x_old, x_end, points.place(c, before), at, out};
+      point.old = history(view, s, row, point.place_old);
+      point.area = areas.now[c];
+      point.area_old = areas.fixed ? areas.now[c] : areas.old[c];
+      if (tangent && !areas.fixed) point.area_slope = areas.slope[c];
+      point.far = areas.fixed ? length(at) : farthest(now);
+      point.nodes = points.nodes;
+      point.pressures = pressures;
+      point.shape = &points.shape(c, 0);
+      point.pressure_shape = pressure_shape(side, c);
+      point.pore_pressure = point.old.soil.pore_pressure + pore_pressure(s, c, view.value_end);
+      point.old_columns = rows_.more(committed, row);
+      point.reach = close_;
+      // the force that moves a body until it touches is not known: every linearisation lets it move ten times as far
+      point.reach_share = std::pow(0.1, view.linearisation);
+      double leaving[SideAction::most];
+      const bool stays =
+          ahead && rows_.pressure(committed, row) > 0 && target_->old_piece(point.old_columns) == place.piece;
+      if (stays) {
+        target_->old_forces(point.old_columns, point.old.force, leaving);
+        point.leaving = leaving;
+      }
+      Point slope[max_side_nodes];
+      if (water.flows) {
+        const SideCoordinates x = side_coordinates(side, view.x_old);
+        if (axes() == 2)
+          pressure_slopes<2>(points, c, x, pressures, slope);
+        else
+          pressure_slopes<3>(points, c, x, pressures, slope);
+        point.drive = -water.weight;
+        for (int a = 0; a < pressures; ++a)
+          point.drive += view.value_end(surface_->dofs(side.shape)(side.row, axes() * side.count + a)) * slope[a];
+        point.pressure_slope = slope;
+      }
+      const ContactPoint result = target_->act(point, place, action);
+      if (tangent) continue;
+      if (!stays) leave(view, s, row, result.gap);
+      if (here < 0) {
+        failures += result.active || water.acts;
+        write_away(view, row);
+        continue;
+      }
+      write(*view.trial, row, place, result);
+      damped_ += result.damped;
+      damping_force_ += result.damping;
+    }
+    if (open >= 0) take(s, open, action);
+  }
+  return failures;
+}
+
+int PointContact::residual(const StepView& view, const ResidualView& f) {
+  later_.clear();
+  damped_ = 0;
+  damping_force_ = {};
+  const int failures =
+      evaluate(view, false, [&](std::size_t s, int e, const SideAction& action) { add_forces(view, s, e, action, f); });
+  beyond_reach_ = failures > 0;
+  return failures;
+}
+
+void PointContact::add_forces(const StepView& view, std::size_t side, int entry, const SideAction& action,
+                              const ResidualView& f) {
+  const double far = farthest(side_coordinates(sides()[side], view.x_end));
+  for (int a = 0; a < action.dofs(); ++a) {
+    const int dof = pairs_.dofs()(entry, a);
+    if (a >= action.first_pressure()) {  // rate of water into a film, all of it added later
+      later_.emplace_back(dof, -action.f[a]);
+      if (action.f[a] != 0) f.cancelled(dof, action.area * far / view.dt);
+      continue;
+    }
+    const double size = std::abs(action.f[a]);
+    f.add(dof, -action.f[a], size, size + action.cancelled[a]);
+    if (action.later[a] != 0) later_.emplace_back(dof, action.later[a]);
+  }
+}
+
+void PointContact::correction(const StepView& view, const ResidualView& f) {
+  for (const auto& [dof, force] : later_) f.add(dof, -force);
+  if (leak_) leak_->add(view, f);
+}
+
+void PointContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  const MatrixScatter to = assembler.scatter(pairs_.group());
+  const double moved = conserves(view) ? view.impact.conjugate : 1.0;
+  evaluate(view, true, [&](std::size_t, int entry, SideAction& action) {
+    const int dofs = action.dofs(), first = action.first_pressure();
+    for (int a = 0; a < first; ++a)
+      for (int b = 0; b < dofs; ++b) action.k[a * dofs + b] *= -weight * (b >= first ? 1.0 : moved);
+    to.add(entry, dofs, action.k);
+  });
+  if (leak_) leak_->jacobian(view, assembler);
+}
+
+void PointContact::leave(const StepView& view, std::size_t side, int row, double gap) {
+  const State& committed = *view.committed;
+  if (!conserves(view) || !(rows_.pressure(committed, row) > 0)) return;
+  const double* const columns = rows_.more(committed, row);
+  const int piece = target_->old_piece(columns), there = pairs_.row(side, piece);
+  if (there < 0) return;
+  const double share = start_share(rows_.gap(committed, row), gap, view.impact.damping) - (1 - view.end_weight);
+  const Point force = rows_.force(committed, row);
+  const SurfaceSide& at = sides()[side];
+  const double* const shape = &rule(at).shape(row - first_row_[side], 0);
+  double on_target[SideAction::most];
+  target_->old_forces(columns, force, on_target);
+  for (int a = 0; a < at.count; ++a)
+    for (int i = 0; i < axes(); ++i)
+      later_.emplace_back(pairs_.dofs()(there, axes() * a + i), share * shape[a] * force[i]);
+  for (int r = 0; r < target_->num_dofs(piece); ++r)
+    later_.emplace_back(pairs_.dofs()(there, axes() * at.count + r), share * on_target[r]);
 }
 
 PointHistory PointContact::history(const StepView& view, std::size_t side, int row, const Point& place_old) const {
   const State& committed = *view.committed;
   PointHistory old;
   old.offset = parts_.initial_gap.offset(*view.trial, row);
+  old.gap = rows_.gap(committed, row);
   old.shear = rows_.shear(committed, row);
-  old.force.force = rows_.force(committed, row);
+  old.force = rows_.force(committed, row);
   old.normal_force = rows_.pressure(committed, row) * rows_.area(committed, row);
   old.soil = laws_.soil(committed, sides()[side], rule(sides()[side]).xi[row - first_row_[side]].data());
   if (parts_.drainage.has_film()) parts_.drainage.film.start(view, row, place_old, old);
@@ -109,18 +272,19 @@ SideFilm PointContact::film(const StepView& view, std::size_t side) const {
   return parts_.drainage.film.of_side(view, side, weight);
 }
 
-void PointContact::write_point(const State& trial, int row, const ContactPoint& point) const {
+void PointContact::write(const State& trial, int row, const TargetPlace& place, const ContactPoint& point) const {
   rows_.write(trial, row, point);
   if (parts_.drainage.has_film()) parts_.drainage.film.write(trial, row, point);
+  target_->write(place, point, rows_.more(trial, row));
 }
 
-ContactPoint PointContact::away(const State& committed, int row, double gap) const {
+void PointContact::write_away(const StepView& view, int row) const {
   ContactPoint point{};
-  point.gap = gap;
-  point.shear = rows_.shear(committed, row);
+  point.gap = capture_;
+  point.shear = rows_.shear(*view.committed, row);
   point.shear.shear = {};
   point.shear.slides = false;
-  return point;
+  write(*view.trial, row, TargetPlace(), point);
 }
 
 const double* PointContact::pressure_shape(const SurfaceSide& side, int point) const {
@@ -168,8 +332,8 @@ Misfit PointContact::misfit(const State& state) const {
       const double normal = rows_.pressure(state, row) - rows_.normal_multiplier(state, row);
       const Point shear =
           rows_.sticks(state, row) ? rows_.shear(state, row).shear - rows_.shear_multiplier(state, row) : Point{};
-      for (int a = 0; a < sides()[s].count; ++a) {
-        const double weight = r.shape(c, a) * here[c];
+      for (int a = 0; a < r.multipliers; ++a) {
+        const double weight = r.multiplier_shape(c)[a] * here[c];
         sums.add(sides()[s].node[a], weight, stiffness, weight * normal, weight * shear);
       }
     }
@@ -192,10 +356,11 @@ Augmentation PointContact::augment(const StepView& view, int count) {
       if (!lengths(s, trial, here)) continue;
       for (int c = 0; c < r.points; ++c) {
         double value = 0;
-        for (int a = 0; a < r.nodes; ++a) value += r.shape(c, a) * values[sides()[s].node[a]];
-        for (int a = 0; a < r.nodes; ++a) {
-          product[sides()[s].node[a]] += r.shape(c, a) * here[c] * value;
-          whole[sides()[s].node[a]] += r.shape(c, a) * here[c];
+        const double* const shape = r.multiplier_shape(c);
+        for (int a = 0; a < r.multipliers; ++a) value += shape[a] * values[sides()[s].node[a]];
+        for (int a = 0; a < r.multipliers; ++a) {
+          product[sides()[s].node[a]] += shape[a] * here[c] * value;
+          whole[sides()[s].node[a]] += shape[a] * here[c];
         }
       }
     }
@@ -205,15 +370,16 @@ Augmentation PointContact::augment(const StepView& view, int count) {
   for (const std::vector<double>& component : rest.shear) tangential.push_back(in_shapes(*surface_, component, masses));
   for (std::size_t s = 0; s < sides().size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
-      const double* const shape = &rule(sides()[s]).shape(row - first_row_[s], 0);
-      for (int a = 0; a < sides()[s].count; ++a)
+      const ContactRule& r = rule(sides()[s]);
+      const double* const shape = r.multiplier_shape(row - first_row_[s]);
+      for (int a = 0; a < r.multipliers; ++a)
         rows_.normal_multiplier(trial, row) += shape[a] * normal[sides()[s].node[a]];
       if (!laws_.friction()) continue;
       const bool sticks = rows_.sticks(trial, row);
       Point shear = sticks ? rows_.shear_multiplier(trial, row) : rows_.shear(trial, row).shear;
       if (sticks)
         for (std::size_t i = 0; i < tangential.size(); ++i)
-          for (int a = 0; a < sides()[s].count; ++a) shear[i] += shape[a] * tangential[i][sides()[s].node[a]];
+          for (int a = 0; a < r.multipliers; ++a) shear[i] += shape[a] * tangential[i][sides()[s].node[a]];
       rows_.set_shear_multiplier(trial, row, shear);
     }
   return {true, ""};
@@ -224,21 +390,27 @@ bool PointContact::covered(std::size_t side, const State& committed) const {
   // micrometres, and a vertex that is drained for a step loses its pore pressure.
   const SurfaceSide& at = sides()[side];
   const double near = parts_.drainage.sealing_gap() * edges(at, committed.coordinates).second;
-  if (!may_be_near(committed, side, near)) return false;
+  const Bounds around = box(side, committed.coordinates);
+  if (target_->near(around, near).empty()) return false;
   const SideCoordinates x = side_coordinates(at, committed.coordinates);
   const ContactRule& points = rule(at);
+  double counted = 0;
+  for (int c = 0; c < points.points; ++c)
+    counted = std::max(counted, std::abs(parts_.initial_gap.offset(committed, first_row_[side] + c)));
+  const std::vector<int> candidates = target_->near(around, near + counted);
   int count = 0;
   for (int c = 0; c < points.points; ++c) {
     const double offset = parts_.initial_gap.offset(committed, first_row_[side] + c);
-    const auto there =
-        nearest(committed, side, points.place(c, x), outward_normal(points, c, x), near + std::abs(offset));
-    count += there && there->gap - offset < near;
+    TargetPlace there;
+    count += target_->find(candidates, points.place(c, x), points.outward(c, x), near + std::abs(offset),
+                           committed.coordinates, there) &&
+             there.gap - offset < near;
   }
   return 2 * count > points.points;
 }
 
 std::vector<char> PointContact::covered_sides(const State& committed) const {
-  look_at(committed);
+  target_->look_at(committed);
   std::vector<char> flags;
   for (std::size_t s = 0; s < sides().size(); ++s) flags.push_back(covered(s, committed));
   return flags;
@@ -262,7 +434,7 @@ void PointContact::first_act(State& committed) {
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, acted, Teuchos::outArg(anywhere));
   if (anywhere > 0) return;
   enforcement_.start_penalties(*surface_, context_.stiffness, penalties);
-  look_at(committed);
+  target_->look_at(committed);
   FirstTouch found;
   for (std::size_t s = 0; s < sides().size(); ++s) touch_first(s, committed, found);
   found.everywhere(comm).tell(name_, parts_.initial_gap.presses());
@@ -277,19 +449,24 @@ void PointContact::touch_first(std::size_t side, const State& committed, FirstTo
   double area[max_contact_points];
   if (!contact_areas(points, x, context_.space.mesh().geometry(), area)) return;
   found.reach = std::max(found.reach, reach);
+  const double distance = std::max(edge, reach);
+  const std::vector<int> candidates = target_->near(box(side, committed.coordinates), distance);
   for (int c = 0; c < points.points; ++c) {
     ++found.points;
-    const Point place = points.place(c, x), outward = outward_normal(points, c, x);
-    const auto there = nearest(committed, side, place, outward, std::max(edge, reach));
-    if (!there || -dot(outward, there->normal) < facing) continue;
-    const double gap = there->gap;
+    const Point place = points.place(c, x), outward = points.outward(c, x);
+    TargetPlace there;
+    if (!target_->find(candidates, place, outward, distance, committed.coordinates, there)) continue;
+    ContactPoint point{};
+    target_->complete(there, place, committed.coordinates, point);
+    if (-dot(outward, point.normal) < facing) continue;
+    const double gap = there.gap;
     if (std::abs(gap) > reach) {
       found.deep += gap < 0;
       found.deepest = std::max(found.deepest, -gap);
       continue;
     }
     double pressure = 0;
-    if (parts_.initial_gap.presses()) pressure = in_situ_pressure(side, c, committed, place, outward, there->normal);
+    if (parts_.initial_gap.presses()) pressure = in_situ_pressure(side, c, committed, place, outward, point.normal);
     found.pulled += pressure < 0;
     const double depth = in_situ_penetration(side, c, committed, std::max(0.0, pressure));
     const bool bears = pressure > 0 && std::isfinite(depth);
@@ -299,14 +476,14 @@ void PointContact::touch_first(std::size_t side, const State& committed, FirstTo
     parts_.initial_gap.set_offset(committed, row, gap + (bears ? depth : 0.0));
     if (!bears) continue;
     if (enforcement_.augmented()) rows_.normal_multiplier(committed, row) = pressure;
-    ContactPoint point{};
     point.gap = -depth;
     point.active = true;
     point.area = area[c];
     point.pressure = pressure;
     if (parts_.drainage.has_film()) point.pressure += pore_pressure(side, c, committed.value);
-    point.total.force = point.pressure * area[c] * there->normal;
-    write_first(committed, row, place, *there, point);
+    point.force = point.pressure * area[c] * point.normal;
+    target_->complete(there, place, committed.coordinates, point);
+    write(committed, row, there, point);
   }
 }
 

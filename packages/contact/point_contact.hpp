@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "contact/contact_laws.hpp"
 #include "contact/contact_rule.hpp"
 #include "contact/contact_surface.hpp"
+#include "contact/pair_dofs.hpp"
 #include "contact/parts/drainage.hpp"
 #include "contact/parts/initial_gap.hpp"
 #include "contact/parts/leaky_surface.hpp"
@@ -29,9 +29,20 @@ struct PartParameters {
   InitialGap initial_gap;
 };
 
+/// Areas of a side's points.
+struct PointAreas {
+  double now[max_contact_points], old[max_contact_points];  // [m2] at the end of the step, at its start with a film
+  AreaSlopes slope;                                         // of `now`
+  bool fixed = false;  // those at the start count for the step, and a point without area sees nothing
+};
+
 /// Contact of the points of a slave surface, its nodes or its Gauss points, with a target: a rigid body or another
-/// deformable surface. This class has the points, their laws and state, and the parts that see only points, gaps and
-/// normals: initial gap, drainage, film. The classes of the targets evaluate the points.
+/// deformable surface: R_u -= (x - y)_{,u} . (t n + s) A at n+1, see PointAction, with what completes the mean force
+/// over a step at the alpha level; axisymmetric forces are those of the whole circumference, plane strain ones per
+/// metre. The classes of the targets' kinds read the deck, and say which sides and pieces may meet in a step.
+///
+/// Film: it takes its water from the slave; the target takes its pressure only. Parallel: a rank computes its slave
+/// sides against the whole target, whose nodes it has as ghosts (SetPairs).
 ///
 /// Augmented Lagrangian: t = <lambda - penalty gap>, and the stick spring of friction starts from a multiplier
 /// likewise. After each solve of a step lambda grows by t - lambda (Uzawa) as far as that is in the space of the sides'
@@ -46,6 +57,10 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
  public:
   std::string name() const override { return "contact/" + name_; }
   void predicting(bool on) override { predicting_ = on; }
+  void sparsity(Assembler& assembler) override;
+  int residual(const StepView& view, const ResidualView& f) override;
+  void correction(const StepView& view, const ResidualView& f) override;
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void close(const State& committed, ClosedSides& closed) const override;
   void first_act(State& committed) override;
   Augmentation augment(const StepView& view, int count) override;
@@ -59,22 +74,13 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   /// `deck` and `parts`: members of the contact.
   PointContact(const ContactContext& context, const EnforcementParameters& deck, PartParameters& parts)
       : context_(context), enforcement_(deck), parts_(parts) {}
-  /// What a point sees of the target in a committed state.
-  struct Nearest {
-    double gap;  // [m] of the geometry
-    Point normal;
-    TargetPlace at;  // of a deformable target
-  };
-  /// Called before the target is asked about a committed state between steps.
-  virtual void look_at(const State&) const {}
-  /// False where no point of the side is nearer to the target than `distance` [m].
-  virtual bool may_be_near(const State& committed, std::size_t side, double distance) const = 0;
-  /// The target at a point of the slave with this outward normal; nothing where it has none within `distance` [m].
-  virtual std::optional<Nearest> nearest(const State& committed, std::size_t side, const Point& place,
-                                         const Point& outward, double distance) const = 0;
-  /// Writes a point in the state in which the contact first acts.
-  virtual void write_first(const State& committed, int row, const Point& place, const Nearest& nearest,
-                           ContactPoint& point) const = 0;
+  /// Whether points exert the shares of impacts in a step, see impact_share.hpp.
+  virtual bool conserves(const StepView& view) const = 0;
+  /// Areas of a side's points, with their slopes if asked for. False where the side is degenerate.
+  virtual bool measure(std::size_t side, const SideCoordinates& x_old, const SideCoordinates& x, bool slopes,
+                       PointAreas& areas) const;
+  /// Direction out of the slave at a point.
+  virtual Point outward(int) const { return {}; }
   /// Weight of a row in means over the surface, beside its nearness to the node.
   virtual double share(int) const { return 1; }
   /// Areas of a side's points without the circumference [m2], by which multipliers are weighted: nodes on the axis
@@ -88,23 +94,14 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   /// InputError for parts that have no meaning. `conserving`, `damping`: the deck asks for them.
   void check_parts(const Section& section, bool conserving, bool damping) const;
   /// Makes surface, rules and rows.
-  void make_points(const std::string& surface, const BodyUnknowns& body, ContactPoints kind, int quadrature_degree);
-  /// Declares all arrays; `more`: further columns of the points, which the target needs.
-  void declare_points(StateStore& store, const std::vector<StateVariable>& more);
+  void make_points(const std::string& surface, ContactPoints kind, int quadrature_degree);
+  /// Declares all arrays.
+  void declare_points(StateStore& store);
   /// Starts penalties, multipliers, film and leaking for a step.
   void begin_parts(const StepView& view);
-  ContactPointLaw law(const StepView& view, std::size_t side, double damping) const;
-  /// History of a point. The multiplier of its shear stress counts by its change in this step.
-  PointHistory history(const StepView& view, std::size_t side, int row, const Point& place_old) const;
-  /// Film of a side in a step.
-  SideFilm film(const StepView& view, std::size_t side) const;
-  void write_point(const State& trial, int row, const ContactPoint& point) const;
-  /// A point that is too far away to be evaluated.
-  ContactPoint away(const State& committed, int row, double gap) const;
-  /// Pore pressure at a point of a side [Pa], of nodal values by overlap dof; 0 where the contact does not read it.
-  double pore_pressure(std::size_t side, int point, const ConstNodalView& values) const;
-  /// Shapes of the pore pressure's nodes at a point of a side.
-  const double* pressure_shape(const SurfaceSide& side, int point) const;
+  Bounds box(std::size_t side, const ConstCoordinateView& x) const {
+    return side_box(sides()[side].node, sides()[side].count, x);
+  }
   /// Differences between stresses and multipliers. Collective.
   Misfit misfit(const State& state) const;
   /// History columns of the parts and of multipliers; `sign`: -1 where forces are those on the target. Collective.
@@ -126,16 +123,50 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   std::map<CellShape, ContactRule> rules_;  // of the sides
   std::vector<int> first_row_;              // (side) one more: number of rows
   double gap_tolerance_ = 0;                // [m]
-  bool predicting_ = false;
   PointRows rows_;
   int penalties_ = -1;  // state handle
+
+  std::unique_ptr<Target> target_;
+  std::vector<std::vector<int>> candidates_;  // (side) pieces of the target that it may meet in this step
+  double damping_ = 0;                        // [s/m] of the deck
+  double reach_ = 1e300;                      // [m] sides and pieces that are farther apart at the start never meet
+  double capture_ = 0;                        // [m] of this step: what is farther away sees nothing
+  double touch_ = 0;                          // [m] see ContactPointLaw
+  double close_ = 0;                          // [m] see PointInStep::reach
+  double damped_ = 0;  // [J] heat of damping in the last residual, and its force [N] on the slave
+  Point damping_force_{};
+  bool beyond_reach_ = false;  // surfaces met in this step for which the matrix has no entries
 
  private:
   void start_multipliers(const StepView& view) const;
 
+  /// Evaluates all points, and calls take(side, entry, forces between the side and a piece). Without a tangent it
+  /// writes the points of the trial state, and remembers what pressed elsewhere before. Returns the number of failures.
+  template <class Take>
+  int evaluate(const StepView& view, bool tangent, const Take& take);
+  void add_forces(const StepView& view, std::size_t side, int entry, const SideAction& action, const ResidualView& f);
+  ContactPointLaw law(const StepView& view, std::size_t side) const;
+  /// History of a point. The multiplier of its shear stress counts by its change in this step.
+  PointHistory history(const StepView& view, std::size_t side, int row, const Point& place_old) const;
+  /// Film of a side in a step.
+  SideFilm film(const StepView& view, std::size_t side) const;
+  void write(const State& trial, int row, const TargetPlace& place, const ContactPoint& point) const;
+  /// Writes a point that sees nothing of the target. Its gap is the capture distance, which is a lower bound.
+  void write_away(const StepView& view, int row) const;
+  /// Corrects the old force of a point that pressed at the start of the step on another piece than now, at this gap: it
+  /// acts with its share, not with the integrator's weight.
+  void leave(const StepView& view, std::size_t side, int row, double gap);
+  /// Pore pressure at a point of a side [Pa], of nodal values by overlap dof; 0 where the contact does not read it.
+  double pore_pressure(std::size_t side, int point, const ConstNodalView& values) const;
+  /// Shapes of the pore pressure's nodes at a point of a side.
+  const double* pressure_shape(const SurfaceSide& side, int point) const;
+
   const EnforcementParameters& enforcement_;
   PartParameters& parts_;
   std::string set_;  // side set of the surface
+  bool predicting_ = false;
+  PairDofs pairs_;                             // of sides and pieces of the target, in the order of SideAction
+  std::vector<std::pair<int, double>> later_;  // (dof, force) of the last residual call, at the alpha level
 
   /// Closes the initial gaps of one side's points, and sets their pressures.
   void touch_first(std::size_t side, const State& committed, FirstTouch& found) const;

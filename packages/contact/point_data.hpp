@@ -5,12 +5,6 @@
 
 namespace mudline {
 
-/// Force on the slave (the soil) at a point [N], and its moment about the centre of a rigid target [N m], in the plane
-/// about z; a deformable target has no moment.
-struct PointForce {
-  Point force{}, moment{};
-};
-
 /// Friction history of a contact point.
 struct ShearState {
   /// [Pa] on the slave; 0 where it does not touch. In the plane one number, along the target's direction of travel (its
@@ -25,10 +19,11 @@ struct ShearState {
 /// multipliers are part of the shear.
 struct PointHistory {
   double offset = 0;                // [m] by which the gap that counts is smaller than that of the geometry
+  double gap = 0;                   // [m] counted, committed
   double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
   TouchingSoil soil;                // its pore pressure is added to that of the side's nodes
   ShearState shear;                 // committed
-  PointForce force;                 // committed
+  Point force{};                    // [N] on the slave, committed
   double normal_force = 0;          // [N] committed
   double cavitation = 0;            // [Pa] of the film
   double vapour = 0;                // [m] of the film's thickness, committed
@@ -37,12 +32,14 @@ struct PointHistory {
 /// Result of the evaluation of one contact point.
 struct ContactPoint {
   double gap, pressure;  // [m] counted, negative: penetration; [Pa] >= 0
-  PointForce total;      // on the slave
+  Point force;           // [N] on the slave
+  Point normal;          // out of the target
   double area;           // [m2]
   bool active;           // presses: gap < shift
   ShearState shear;      // with friction
   Point friction;        // [N] part of the force that is along the surface
   double height;         // [m] above the reference point of a rigid target, in its frame
+  Point moment;          // [N m] of the force about the centre of a rigid target, in the plane about z
   Point damping;         // [N] what damping adds to the mean force over the step
   double damped;         // [J] heat of damping in the step
   double water, vapour;  // [m3]; [m] of the film's thickness

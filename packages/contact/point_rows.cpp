@@ -52,7 +52,7 @@ void PointRows::write(const State& trial, int row, const ContactPoint& point) co
   rows(row, 0) = point.gap;
   rows(row, 1) = point.pressure;
   rows(row, 2) = point.active;
-  put(rows, row, 3, axes_, point.total.force);
+  put(rows, row, 3, axes_, point.force);
   rows(row, more_ - 1) = point.area;
   if (frictions_ < 0) return;
   const PointView& frictions = trial.arrays[frictions_];

@@ -104,7 +104,7 @@ double closing_limit(const Space& space, const ContactSurface& slave,
     for (const auto& other : master) {
       const auto there = side_box(other.node, other.count, x);
       Point apart;
-      for (int i = 0; i < 3; ++i) apart[i] = std::max({0.0, there[0][i] - box[1][i], box[0][i] - there[1][i]});
+      for (int i = 0; i < 3; ++i) apart[i] = std::max({0.0, there.low[i] - box.high[i], box.low[i] - there.high[i]});
       nearest = std::min(nearest, length(apart));
     }
   }

@@ -23,13 +23,17 @@ template <class T, class Place>
 KOKKOS_INLINE_FUNCTION Vec<T, 2> unknown(const Place& x, int first) {
   return {unknown<T>(x[0], first), unknown<T>(x[1], first + 1)};
 }
-template <class T, class Place>
-KOKKOS_INLINE_FUNCTION Vec<T, 2> constant(const Place& x) {
-  return {T(x[0]), T(x[1])};
+template <class T, int D = 2, class Place>
+KOKKOS_INLINE_FUNCTION Vec<T, D> constant(const Place& x) {
+  Vec<T, D> result;
+  for (int i = 0; i < D; ++i) result[i] = T(x[i]);
+  return result;
 }
-template <class T>
-Point plain(const Vec<T, 2>& a) {
-  return {value(a[0]), value(a[1]), 0};
+template <class T, int D>
+Point plain(const Vec<T, D>& a) {
+  Point result{};
+  for (int i = 0; i < D; ++i) result[i] = value(a[i]);
+  return result;
 }
 
 /// sum_a weight_a x_a.

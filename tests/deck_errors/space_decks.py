@@ -212,8 +212,6 @@ DECKS = [
               at=parameter("closing distance", "double", "0.1")),
     with_pair("closing distance of a pair", parameter("closing distance", "double", "0.1"),
               "contacts/face/closing distance: has a meaning only with 'initial gap' = closed or in-situ stress; here it is as placed"),
-    with_pair("pair with multipliers in space", parameter("enforcement", "string", "augmented Lagrangian"),
-              "contacts/face/enforcement: points have more multipliers than the surfaces have freedom; allowed with point to face: penalty"),
     with_pair("conductance of a pair", parameter("conductance", "double", "1e-9"), "contacts/face/conductance: has a meaning only with 'drainage' = leaky"),
     with_pair("pair of too high a degree", parameter("quadrature degree", "int", "9"), "contacts/face/quadrature degree: 9 is out of range; allowed: [1, 8]"),
     with_pair("pair without a master", parameter("mster", "string", "bottom"), "contacts/face/mster: unknown parameter (did you mean 'master'?)"),

@@ -4,35 +4,168 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <stdexcept>
 
-#include "contact/body/body_search.hpp"
-#include "contact/conjugate_position.hpp"
+#include "core/guarded.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
 
+void PenaltyParameters::parameters(Parameters& p) {
+  p.required("body", body, "Entry of 'bodies' that touches the soil");
+  p.required("surface", surface, "Side set of the soil that the body may touch");
+  p.choice("method", method, {{"surface quadrature", ContactPoints::quadrature}, {"nodes", ContactPoints::nodes}},
+           "Where contact is checked: at Gauss points of the sides, or at the nodes with their tributary areas");
+  p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
+        "Polynomial degree that the integration over a side is exact for");
+  EnforcementParameters::parameters(p);
+  p.add("capture distance", capture_distance, "m", non_negative(),
+        "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
+  drainage.parameters(p);
+  initial_gap.parameters(p);
+  p.choice(
+      "impact", impact,
+      {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
+      "Forces over a dynamic step. conserving: points exert the share of their force that adds no "
+      "energy, whatever the step and the spectral radius; interpolated: the integrator's mean of start and end, "
+      "smoother where a body is pushed "
+      "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
+  p.add("damping", damping, "s/m", non_negative(), damping_documentation);
+  ContactLaws::declare_normal_law(p);
+  p.add("advance limit", advance_limit, "-", positive(),
+        "Largest advance of the body in one step, as a fraction of the surface's shortest side; while the body is far "
+        "away, half the distance to the surface");
+}
+
+void PenaltyContact::document(Parameters& p) {
+  PenaltyParameters().parameters(p);
+  declare_friction(p);
+}
+
+void PenaltyContact::parameters(Parameters& p) {
+  deck_.parameters(p);
+  declare_friction(p);
+}
+
+void PenaltyContact::check(const Section& section) {
+  const Mesh& mesh = context_.space.mesh();
+  const auto body = context_.bodies.find(deck_.body);
+  if (body == context_.bodies.end()) {
+    std::vector<std::string> names;
+    for (const auto& entry : context_.bodies) names.push_back(entry.first);
+    section.fail("unknown body '" + deck_.body + "'" + suggestion(deck_.body, names), "body");
+  }
+  body_ = body->second;
+  read(section);
+  require_boundary(mesh, section, "surface", deck_.surface);
+  if (deck_.penalty == 0 && !context_.stiffness)
+    throw std::logic_error("an automatic penalty needs the soil's stiffness");
+  check_enforcement(section);
+  check_quadrature(section);
+  laws_.read(context_, section);
+  laws_.check_linear(section, deck_.augmented(), deck_.impact == PenaltyParameters::Impact::conserving);
+  check_parts(section, deck_.impact == PenaltyParameters::Impact::conserving, deck_.damping > 0);
+  damping_ = deck_.damping;
+  auto target = std::make_unique<RigidTarget>(body_);
+  rigid_ = target.get();
+  target_ = std::move(target);
+  make_points(deck_.surface, deck_.method, deck_.quadrature_degree);
+  if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
+  gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * surface_->shortest(mesh.coordinates());
+  candidates_.assign(sides().size(), {0});
+  if (context_.remeshed) return;
+  check_overlap(section);
+  check_above(section);
+}
+
+void PenaltyContact::check_enforcement(const Section& section) const {
+  deck_.check(section);
+  if (!deck_.augmented()) return;
+  if (deck_.impact == PenaltyParameters::Impact::conserving)
+    section.fail(
+        "conserving is for 'enforcement' = penalty: its shares are those of the penalty spring's energy, which "
+        "multipliers "
+        "do not have; allowed with augmented Lagrangian: automatic, interpolated",
+        "impact");
+}
+
+void PenaltyContact::check_quadrature(const Section& section) const {
+  const Mesh& mesh = context_.space.mesh();
+  if (mesh.dimension() == 2) return;
+  if (deck_.method == ContactPoints::nodes)
+    section.fail("nodes has no tributary areas on quadratic triangles; allowed in space: surface quadrature", "method");
+  constexpr int most = 8;  // largest degree of the rules for triangles
+  for (const ElementBlock& block : mesh.blocks())
+    if (is_simplex(side_shape(block.shape)) && deck_.quadrature_degree > most)
+      section.fail("on triangles the largest 'quadrature degree' is " + std::to_string(most) + ", given " +
+                       std::to_string(deck_.quadrature_degree),
+                   "quadrature degree");
+}
+
+void PenaltyContact::check_above(const Section& section) const {
+  const Mesh& mesh = context_.space.mesh();
+  const Teuchos::Comm<int>& comm = *mesh.comm();
+  const int up = axes() - 1;
+  double lowest = 1e300, everywhere = 0, upwards = 0, faces_up = 0;
+  for (const SurfaceSide& side : surface_->sides()) {
+    for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, mesh.place(side.node[a])[up]);
+    const Point first = mesh.place(side.node[0]), along = mesh.place(side.node[1]) - first;
+    // outward: in the plane on the right of the side's direction; in space the corners are counter-clockwise seen from
+    // outside
+    upwards += up == 1 ? -along[0] : cross(along, mesh.place(side.node[2]) - first)[2];
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, upwards, Teuchos::outArg(faces_up));
+  if (body_->surface() && !std::isfinite(body_->surface()->bounds().extent())) return;  // it goes on for ever
+  double top = -1e300;
+  for (const Point& point : body_->outline(body_->initial_placement())) top = std::max(top, point[up]);
+  if (top >= everywhere - 0.5 * surface_->shortest(mesh.coordinates()) || faces_up <= 0) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "' lies below the surface: its top is at %.6g m, the surface reaches down to %.6g m; move its 'position'", top,
+      everywhere);
+  section.fail("body '" + deck_.body + text, "body");
+}
+
+void PenaltyContact::check_overlap(const Section& section) const {
+  const auto& x = context_.space.mesh().coordinates();
+  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
+  double deepest = 0;
+  Point worst{};
+  for (const SurfaceSide& side : surface_->sides())
+    for (int a = 0; a < side.count; ++a) {
+      const Point at = surface_->mesh().place(side.node[a]);
+      const double gap = body_->gap(body_->initial_placement(), at);
+      if (gap >= deepest) continue;
+      deepest = gap;
+      worst = at;
+    }
+  double everywhere = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, deepest, Teuchos::outArg(everywhere));
+  const double edge = surface_->shortest(x);
+  // A side that is straight between its nodes reaches a little into a round contour that it follows.
+  if (-everywhere <= 0.5 * edge) return;
+  const int mine = deepest == everywhere ? comm.getRank() : comm.getSize();
+  int teller = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(teller));
+  Teuchos::broadcast(comm, teller, 3, worst.data());
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "' overlaps the surface by %.4g m at %s at the start, more than half of its shortest side, %.4g m; "
+                "move its 'position'",
+                -everywhere, place_text(worst, axes()).c_str(), edge);
+  section.fail("body '" + deck_.body + text, "body");
+}
+
 void PenaltyContact::declare_state(StateStore& store) {
   body_->declare_state(store);
-  std::vector<StateVariable> more = {{"height", 1, "m"}};
-  if (axes() == 2)
-    more.push_back({"moment", 1, "N m"});
-  else
-    for (const char* axis : axis_names) more.push_back({std::string("moment ") + axis, 1, "N m"});
-  declare_points(store, more);
+  declare_points(store);
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
   for (int i = 0; i < axes(); ++i) sums.push_back({std::string("damping ") + axis_names[i], 1, "N"});
   work_ = declare_rows(store, name() + "/work", sums, {}, true);
-}
-
-void PenaltyContact::sparsity(Assembler& assembler) {
-  for (CellShape shape : surface_->shapes()) {
-    const ElementDofs& dofs = surface_->dofs(shape);
-    shapes_[shape] = {assembler.add_group(dofs), RowLists(dofs), Kokkos::View<SideContact*>("sides", dofs.extent(0)),
-                      PointView("later", dofs.extent(0), dofs.extent(1))};
-  }
-  starts_ = Kokkos::View<ContactStart*>("starts", first_row_.back());
-  happens_ = Kokkos::View<ContactPoint*>("points", first_row_.back());
-  if (leak_) leak_->sparsity(assembler);
 }
 
 void PenaltyContact::begin(const StepView& view) {
@@ -43,82 +176,8 @@ void PenaltyContact::begin(const StepView& view) {
                                            : length(to.centre - from.centre) +
                                                  body_->reach() * length((to.turn * from.turn.inverse()).vector());
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
-  for (std::size_t s = 0; s < candidate_.size(); ++s) candidate_[s] = least_gap(s, view.x_old, to) <= capture_;
-}
-
-double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now,
-                                 const BodyPlacement& placement) const {
-  const SurfaceSide& at = surface_->sides()[side];
-  const SideCoordinates x = side_coordinates(at, coordinates_now);
-  Bounds box = Bounds::nothing();
-  for (int a = 0; a < at.count; ++a) box.enclose(x[a]);
-  const Point across = box.high - box.low;
-  return body_->gap(placement, box.low + 0.5 * across) - 0.5 * length(across);
-}
-
-void PenaltyContact::write(const State& trial, int row, const ContactPoint& point) const {
-  write_point(trial, row, point);
-  double* const more = rows_.more(trial, row);
-  more[0] = point.height;
-  if (axes() == 2)
-    more[1] = point.total.moment[2];
-  else
-    std::copy_n(point.total.moment.data(), 3, more + 1);
-}
-
-PointForce PenaltyContact::total(const State& state, int row) const {
-  const double* const moment = rows_.more(state, row) + 1;
-  return {rows_.force(state, row), axes() == 2 ? Point{0, 0, moment[0]} : Point{moment[0], moment[1], moment[2]}};
-}
-
-PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const {
-  if (!conserves(view))
-    return {body_->placement(*view.committed), body_->placement(*view.trial), view.x_old, view.x_end};
-  return {moved_ahead(*body_, *view.committed, view.impact.ahead_old, view.impact.lead),
-          moved_ahead(*body_, *view.trial, view.impact.ahead_end, view.impact.lead),
-          moved_ahead(context_.space, view.x_old, view.impact.ahead_old),
-          moved_ahead(context_.space, view.x_end, view.impact.ahead_end)};
-}
-
-SideContact PenaltyContact::side_contact(const StepView& view, const Positions& positions, std::size_t side) const {
-  const SurfaceSide& at = surface_->sides()[side];
-  SideContact contact;
-  contact.near = candidate_[side];
-  contact.first = first_row_[side];
-  if (!contact.near) return contact;
-  contact.x_old = side_coordinates(at, positions.x_old);
-  contact.x = side_coordinates(at, positions.x_end);
-  contact.law = law(view, side, deck_.damping);
-  contact.law.conserves = conserves(view);
-  contact.reach = touch_;
-  // the force that moves the body until it touches is not known: every linearisation lets it move ten times as far
-  contact.reach_share = std::pow(0.1, view.linearisation);
-  contact.film = film(view, side);
-  contact.law.film = contact.film.acts;
-  contact.pressure_nodes = surface_->pressure_nodes(at.shape);
-  for (int a = 0; a < contact.pressure_nodes; ++a)
-    contact.pressure[a] = view.value_end(surface_->dofs(at.shape)(at.row, axes() * at.count + a));
-  return contact;
-}
-
-std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Positions& positions) const {
-  const BodyInStep body = body_in_step(*body_, positions.body_old, positions.body_end);
-  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
-    const SurfaceSide& at = surface_->sides()[s];
-    SideContact& contact = shapes_.at(at.shape).sides(at.row);
-    contact = side_contact(view, positions, s);
-    if (!contact.near) continue;
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
-      const int c = row - first_row_[s];
-      static_cast<PointHistory&>(starts_(row)) = history(view, s, row, rule(at).place(c, contact.x_old));
-      starts_(row).force = total(*view.committed, row);
-      search(*body_, body, rule(at), contact, c, starts_(row));
-    }
-  }
-  std::vector<ContactSides> result;
-  for (const auto& [shape, of_shape] : shapes_)
-    result.push_back({rules_.at(shape), context_.space.mesh().geometry(), body, of_shape.sides, starts_, happens_});
-  return result;
+  rigid_->move(view, false);
+  for (std::size_t s = 0; s < sides().size(); ++s) candidates_[s] = rigid_->near(box(s, view.x_old), capture_);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
@@ -128,47 +187,15 @@ bool PenaltyContact::conserves(const StepView& view) const {
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
-void PenaltyContact::add_damping(const State& trial) const {
-  const PointView& sums = trial.arrays[work_];
-  for (int row = 0; row < first_row_.back(); ++row) {
-    sums(0, 1) += happens_(row).damped;
-    for (int i = 0; i < axes(); ++i) sums(0, 2 + i) += happens_(row).damping[i];
-  }
-}
-
-namespace {
-
-/// Kernel over the sides.
-struct AddLater {
-  PointView later;
-  VectorScatter to;
-  KOKKOS_FUNCTION void operator()(int s) const {
-    to.open(s);
-    for (std::size_t a = 0; a < later.extent(1); ++a) {
-      const double size = ::fabs(later(s, a));
-      if (size != 0) to.add(s, static_cast<int>(a), -later(s, a), size, size);
-    }
-  }
-};
-
-}  // namespace
-
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
-  for (const auto& [shape, of_shape] : shapes_) {
-    const PointView later = of_shape.later;
-    in_order("contact rows", of_shape.rows, 0, static_cast<int>(later.extent(0)),
-             VectorScatter{f, surface_->dofs(shape)}, [&](int first, int last, const VectorScatter& to) {
-               Kokkos::parallel_for("later", Kokkos::RangePolicy<>(first, last), AddLater{later, to});
-             });
-  }
-  if (leak_) leak_->add(view, f);
+  PointContact::correction(view, f);
   if (laws_.friction() && temperature_ >= 0 && view.flow) add_heat(view, f);
 }
 
 void PenaltyContact::add_heat(const StepView& view, const ResidualView& f) const {
   const auto& dofs = context_.space.node_dof(temperature_);
-  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
-    const SurfaceSide& side = surface_->sides()[s];
+  for (std::size_t s = 0; s < sides().size(); ++s) {
+    const SurfaceSide& side = sides()[s];
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const double heat = rows_.shear(*view.trial, row).dissipated - rows_.shear(*view.committed, row).dissipated;
       const double* const share = &rule(side).corner(row - first_row_[s], 0);
@@ -177,111 +204,68 @@ void PenaltyContact::add_heat(const StepView& view, const ResidualView& f) const
   }
 }
 
-PointForce PenaltyContact::local_force(const State& state) const {
-  PointForce sum;
-  for (int row = 0; row < first_row_.back(); ++row) {
-    const PointForce point = total(state, row);
-    sum = {sum.force + point.force, sum.moment + point.moment};
+PenaltyContact::Load PenaltyContact::load_on_soil(const State& state) const {
+  Load sum;
+  for (int row = 0; row < rows(); ++row) {
+    sum.force += rows_.force(state, row);
+    sum.moment += rigid_->moment(rows_.more(state, row));
   }
   return sum;
 }
 
-double PenaltyContact::work(const PointForce& before, const PointForce& now, const BodyPlacement& from,
-                            const BodyPlacement& to) {
+double PenaltyContact::work(const Load& before, const Load& now, const BodyPlacement& from, const BodyPlacement& to) {
   const Point turned = (to.turn * from.turn.inverse()).vector(), moved = to.centre - from.centre;
   return 0.5 * (dot(before.force + now.force, moved) + dot(before.moment + now.moment, turned));
 }
 
 int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
-  const PointView& done = view.trial->arrays[work_];
-  done(0, 1) = view.committed->arrays[work_](0, 1);
-  for (int i = 0; i < axes(); ++i) done(0, 2 + i) = 0;
-  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
-    if (candidate_[s]) continue;
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) happens_(row) = away(*view.committed, row, capture_);
-  }
-  int failures = 0;
-  const std::vector<ContactSides> sides = look(view, positions(view));
-  std::size_t k = 0;
-  for (const auto& [shape, of_shape] : shapes_)
-    failures += add_side_forces(sides[k++], of_shape.rows, {f, surface_->dofs(shape)}, of_shape.later);
-  for (int row = 0; row < first_row_.back(); ++row) write(*view.trial, row, happens_(row));
-  if (damps(view)) add_damping(*view.trial);
-  done(0, 0) =
-      view.committed->arrays[work_](0, 0) + work(local_force(*view.committed), local_force(*view.trial),
-                                                 body_->placement(*view.committed), body_->placement(*view.trial));
+  const int failures = PointContact::residual(view, f);
+  const State &committed = *view.committed, &trial = *view.trial;
+  const PointView &done = trial.arrays[work_], &before = committed.arrays[work_];
+  done(0, 0) = before(0, 0) +
+               work(load_on_soil(committed), load_on_soil(trial), body_->placement(committed), body_->placement(trial));
+  done(0, 1) = before(0, 1) + damped_;
+  for (int i = 0; i < axes(); ++i) done(0, 2 + i) = damping_force_[i];
   set_reach(view);
   return failures;
 }
 
 void PenaltyContact::set_reach(const StepView& view) {
-  touch_ = 0;
+  close_ = 0;
   if (view.inertia || !body_->released()) return;
   const State& trial = *view.trial;
   double nearest = 1e300, everywhere = 0;
-  for (int row = 0; row < first_row_.back(); ++row)
+  for (int row = 0; row < rows(); ++row)
     if (rows_.area(trial, row) > 0)
       nearest = std::min(nearest, rows_.active(trial, row) ? -1.0 : rows_.gap(trial, row));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
-  if (everywhere >= 0 && everywhere < 1e300) touch_ = everywhere + 1e-3 * surface_->shortest(view.x_old);
+  if (everywhere >= 0 && everywhere < 1e300) close_ = everywhere + 1e-3 * surface_->shortest(view.x_old);
 }
 
 void PenaltyContact::mark_pressed(const State& state, std::vector<char>& nodes) const {
-  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
+  for (std::size_t s = 0; s < sides().size(); ++s) {
     bool presses = false;
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) presses = presses || rows_.active(state, row);
     if (!presses) continue;
-    const SurfaceSide& side = surface_->sides()[s];
+    const SurfaceSide& side = sides()[s];
     for (int a = 0; a < side.count; ++a) nodes[side.node[a]] = 1;
   }
-}
-
-void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  const SideWeights weights{weight, conserves(view) ? view.impact.conjugate : 1.0, deck_.drainage.has_film()};
-  const std::vector<ContactSides> sides = look(view, positions(view));
-  std::size_t k = 0;
-  for (const auto& [shape, of_shape] : shapes_)
-    add_side_tangents(sides[k++], of_shape.rows, assembler.scatter(of_shape.group), weights);
-  if (leak_) leak_->jacobian(view, assembler);
-}
-
-bool PenaltyContact::may_be_near(const State& committed, std::size_t side, double distance) const {
-  return least_gap(side, committed.coordinates, body_->placement(committed)) < distance;
-}
-
-std::optional<PointContact::Nearest> PenaltyContact::nearest(const State& committed, std::size_t, const Point& place,
-                                                             const Point&, double) const {
-  const BodyPlacement placement = body_->placement(committed);
-  if (body_->dimension() == 3) {
-    const SurfaceProjection projection = body_->projection(placement, place);
-    return Nearest{projection.gap, projection.normal, {}};
-  }
-  const ContourProjection projection = body_->closest(placement, in_plane(place));
-  return Nearest{projection.gap, {projection.normal[0], projection.normal[1], 0}, {}};
-}
-
-void PenaltyContact::write_first(const State& committed, int row, const Point& place, const Nearest&,
-                                 ContactPoint& point) const {
-  const BodyPlacement placement = body_->placement(committed);
-  point.height = body_->height(placement, place);
-  point.total.moment = cross(place - placement.centre, point.total.force);
-  write(committed, row, point);
 }
 
 double PenaltyContact::step_limit(const State& committed, double dt) const {
   const double edge = surface_->shortest(committed.coordinates);
   const double speed = body_->speed(committed, dt);
-  const BodyPlacement placement = body_->placement(committed);
+  rigid_->look_at(committed);
   double nearest = 1e300, everywhere = 0;
-  for (std::size_t s = 0; s < candidate_.size(); ++s)
-    nearest = std::min(nearest, least_gap(s, committed.coordinates, placement));
+  for (std::size_t s = 0; s < sides().size(); ++s)
+    nearest = std::min(nearest, rigid_->least_gap(box(s, committed.coordinates)));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
   // a body that is still far away may cover half the distance
   return speed > 0 ? std::max(deck_.advance_limit * edge, 0.5 * everywhere) / speed : 1e300;
 }
 
 std::string PenaltyContact::hint(const StepView& view) const {
-  if (view.inertia || touch_ == 0) return "";
+  if (view.inertia || close_ == 0) return "";
   return "body '" + deck_.body + "' touches nothing in contact '" + name_ +
          "' and has no inertia in a quasi-static stage: hold it, or release it in a dynamic stage";
 }
@@ -307,7 +291,7 @@ struct PenaltyContact::Sums {
 
 PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
   const PointView& done = state.arrays[work_];
-  const PointForce force = local_force(state);
+  const Load force = load_on_soil(state);
   Sums here, all;
   double* const local = here.of;
   for (int i = 0; i < axes(); ++i) {
@@ -320,13 +304,14 @@ PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
   for (int i = 0; i < 3; ++i) local[Sums::moment + i] = -moment[i];
   local[Sums::work] = done(0, 0);
   local[Sums::damping_heat] = done(0, 1);
-  for (int row = 0; row < first_row_.back(); ++row) {
+  for (int row = 0; row < rows(); ++row) {
     const ShearState shear = rows_.shear(state, row);
     for (int i = 0; i < axes(); ++i) local[Sums::friction + i] -= rows_.friction(state, row)[i];
     local[Sums::heat] += shear.dissipated;
     local[Sums::sliding] += shear.slides;
     if (!rows_.active(state, row)) continue;
-    if (rows_.more(state, row)[0] < body_->tip_height()) local[Sums::tip] -= total(state, row).force[axes() - 1];
+    if (rigid_->height(rows_.more(state, row)) < body_->tip_height())
+      local[Sums::tip] -= rows_.force(state, row)[axes() - 1];
     local[Sums::area] += rows_.area(state, row);
     local[Sums::active] += 1;
     here.deepest = std::max(here.deepest, -rows_.gap(state, row));

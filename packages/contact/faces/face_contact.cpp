@@ -15,11 +15,8 @@ void FaceParameters::parameters(Parameters& p) {
 
 void FaceContact::check(const Section& section) {
   const Mesh& mesh = context_.space.mesh();
-  if (deck_.augmented())
-    section.fail("points have more multipliers than the surfaces have freedom; allowed with point to face: penalty",
-                 "enforcement");
   check_entries(section, 3);
-  const ContactSurface slave(context_.space, deck_.slave, false, BodyUnknowns());
+  const ContactSurface slave(context_.space, deck_.slave, false);
   bind(section, std::make_unique<MasterFaces>(mesh, deck_.master, deck_.corner_angle * pi / 180),
        ContactPoints::quadrature, deck_.quadrature_degree,
        deck_.reach > 0 ? deck_.reach : 3 * slave.longest(mesh.coordinates()));

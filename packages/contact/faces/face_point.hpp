@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/contact_rule.hpp"
-#include "contact/target.hpp"
+#include "contact/deformable_target.hpp"
 
 namespace mudline {
 

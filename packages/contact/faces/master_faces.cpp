@@ -9,7 +9,10 @@
 namespace mudline {
 
 MasterFaces::MasterFaces(const Mesh& mesh, const std::string& side_set, double corner_angle)
-    : surface_(mesh, side_set), around_(surface_.sides().size()), normals_(surface_.sides().size()) {
+    : DeformableTarget(3),
+      surface_(mesh, side_set),
+      around_(surface_.sides().size()),
+      normals_(surface_.sides().size()) {
   const ConstCoordinateView x = mesh.coordinates();
   std::map<int, std::vector<Corner>> meeting;  // by mesh node
   for (int f = 0; f < pieces(); ++f)
@@ -65,9 +68,9 @@ bool MasterFaces::find(const std::vector<int>& candidates, const Point& at, cons
   bool found = false;
   for (int candidate : candidates) {
     const MasterFace there = face(candidate, x);
-    const BoxSearch::Corners box = side_box(surface_.sides()[candidate].node, there.count, x);
+    const Bounds box = side_box(surface_.sides()[candidate].node, there.count, x);
     bool apart = false;
-    for (int i = 0; i < 3; ++i) apart = apart || at[i] < box[0][i] - nearest || at[i] > box[1][i] + nearest;
+    for (int i = 0; i < 3; ++i) apart = apart || at[i] < box.low[i] - nearest || at[i] > box.high[i] + nearest;
     TargetPlace here;
     if (apart || !find_projection(there, at, here) || std::abs(here.gap) > nearest) continue;
     if (found && std::abs(here.gap) == nearest) continue;

@@ -11,7 +11,7 @@ namespace mudline {
 
 /// Faces of a side set in space, which points of another surface touch. The normal at a node is the mean of
 /// those of the faces around it, without faces on the other side of a corner.
-class MasterFaces : public Target {
+class MasterFaces : public DeformableTarget {
  public:
   /// Corners: edges and nodes where faces' normals differ by more than `corner_angle` [rad] at x. Collective.
   MasterFaces(const Mesh& mesh, const std::string& side_set, double corner_angle);
@@ -19,9 +19,7 @@ class MasterFaces : public Target {
   int pieces() const override { return static_cast<int>(sides().size()); }
   TargetNodes nodes(int piece) const override { return {sides()[piece].count, sides()[piece].node}; }
   const std::vector<MasterSurface::MasterSide>& sides() const override { return surface_.sides(); }
-  std::vector<int> near(const BoxSearch::Corners& box, double distance) const override {
-    return surface_.near(box, distance);
-  }
+  std::vector<int> near(const Bounds& box, double distance) const override { return surface_.near(box, distance); }
   void update(const ConstCoordinateView& x) override;
   bool find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
             const ConstCoordinateView& x, TargetPlace& place) const override;

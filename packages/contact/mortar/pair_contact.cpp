@@ -59,27 +59,20 @@ void PairContact::declare_state(StateStore& store) {
 }
 
 void PairContact::sparsity(Assembler& assembler) {
-  // Every pair of sides within reach has its matrix entries from the start: the graph, and with it the order of all
-  // sums, never changes.
   const auto& x = context_.space.mesh().coordinates();
   const auto& sides = slave_->sides();
   const double distance = deck_.reach > 0 ? deck_.reach : 1e300;
   master_->sort(x);
-  std::vector<std::pair<int, int>> places;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto box = side_box(sides[s].node, sides[s].count, x);
     for (int m : master_->near(box, distance)) {
-      row_of_[static_cast<long long>(s) << 32 | m] = static_cast<int>(places.size());
-      places.emplace_back(static_cast<int>(s), m);
+      std::vector<int> dofs(4 * nodes_);
+      int* const to = context_.space.write_dofs(displacement_, sides[s].node, nodes_, dofs.data());
+      context_.space.write_dofs(displacement_, master_->sides()[m].node, nodes_, to);
+      dofs_.add(s, m, std::move(dofs));
     }
   }
-  Kokkos::View<int**, Kokkos::LayoutRight> table("pair dofs", places.size(), 4 * nodes_);
-  for (std::size_t row = 0; row < places.size(); ++row) {
-    int* to = context_.space.write_dofs(displacement_, sides[places[row].first].node, nodes_, &table(row, 0));
-    context_.space.write_dofs(displacement_, master_->sides()[places[row].second].node, nodes_, to);
-  }
-  dofs_ = table;
-  group_ = assembler.add_group(dofs_);
+  dofs_.sparsity(assembler);
 }
 
 void PairContact::begin(const StepView& view) {
@@ -97,8 +90,7 @@ void PairContact::begin(const StepView& view) {
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto box = side_box(sides[s].node, sides[s].count, view.x_old);
     for (int m : master_->near(box, 2 * capture_)) {
-      const auto place = row_of_.find(static_cast<long long>(s) << 32 | m);
-      pairs_.push_back({static_cast<int>(s), m, place == row_of_.end() ? -1 : place->second});
+      pairs_.push_back({static_cast<int>(s), m, dofs_.row(s, m)});
     }
   }
 }
@@ -170,9 +162,9 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
       add(side_force.sums, sums);
       const double cancelled = side_law.penalty * side_force.sums.area * farthest(now.slave);
       for (int a = 0; a < 4 * nodes_; ++a) {
-        f.add(dofs_(pair->row, a), -side_force.f[a]);
-        f.cancelled(dofs_(pair->row, a), cancelled);
-        if (side_force.damping[a] != 0) correction_.emplace_back(dofs_(pair->row, a), side_force.damping[a]);
+        f.add(dofs_.dofs()(pair->row, a), -side_force.f[a]);
+        f.cancelled(dofs_.dofs()(pair->row, a), cancelled);
+        if (side_force.damping[a] != 0) correction_.emplace_back(dofs_.dofs()(pair->row, a), side_force.damping[a]);
         if (a < 2 * nodes_) force[a % 2] += side_force.f[a];
       }
     }
@@ -190,7 +182,7 @@ void PairContact::correction(const StepView&, const ResidualView& f) {
 }
 
 void PairContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  const MatrixScatter to = assembler.scatter(group_);
+  const MatrixScatter to = assembler.scatter(dofs_.group());
   PairForce force;
   for (const Pair& pair : pairs_) {
     if (pair.row < 0) continue;
@@ -247,7 +239,7 @@ void PairContact::check(const Section& section) {
     section.section("friction")
         .fail("this law reads the path slid, which a mortar contact does not keep; allowed with it: node to segment",
               "type");
-  slave_ = std::make_unique<ContactSurface>(space, deck_.slave, false, BodyUnknowns());
+  slave_ = std::make_unique<ContactSurface>(space, deck_.slave, false);
   master_ = std::make_unique<MasterSurface>(mesh, deck_.master);
   nodes_ = order(mesh.blocks().front().shape) + 1;
   rule_ = line_quadrature(deck_.quadrature_degree);

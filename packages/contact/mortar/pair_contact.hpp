@@ -3,13 +3,13 @@
 #include <array>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "contact/contact_surface.hpp"
 #include "contact/master_surface.hpp"
 #include "contact/mortar/pair_segment.hpp"
+#include "contact/pair_dofs.hpp"
 #include "contact/two_surfaces.hpp"
 
 namespace mudline {
@@ -91,11 +91,10 @@ class PairContact : public Contact {
   std::vector<std::pair<int, double>> correction_;  // (dof, damping) of the last residual call
   std::unique_ptr<ContactSurface> slave_;
   std::unique_ptr<MasterSurface> master_;
-  std::vector<Pair> pairs_;                    // of this step, ordered by slave side
-  std::unordered_map<long long, int> row_of_;  // (slave, master) in the dof table
-  ElementDofs dofs_;
+  std::vector<Pair> pairs_;  // of this step, ordered by slave side
+  PairDofs dofs_;
   QuadratureRule rule_;                                             // on a segment
-  int group_ = -1, nodes_ = 3;                                      // of a side
+  int nodes_ = 3;                                                   // of a side
   double gap_tolerance_ = 0, capture_ = 0, touch_ = 0;              // [m]
   int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles
 };

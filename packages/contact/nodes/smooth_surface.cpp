@@ -30,7 +30,7 @@ Weights slope(int before, int at, int after, double h1, double h2) {
 
 SmoothSurface::SmoothSurface(const std::vector<MasterSurface::MasterSide>& sides, Drawing drawing, double corner_angle,
                              double overhang, const ConstCoordinateView& x)
-    : sides_(sides), drawing_(drawing), overhang_(overhang) {
+    : DeformableTarget(2), sides_(sides), drawing_(drawing), overhang_(overhang) {
   if (drawing == Drawing::sides) {
     for (const auto& side : sides)
       add(side.count == 3 ? Kind::parabola : Kind::straight, std::vector<int>(side.node, side.node + side.count), false,
@@ -148,7 +148,7 @@ void SmoothSurface::set_coefficients(int index, const ConstCoordinateView& x) {
 }
 
 void SmoothSurface::update(const ConstCoordinateView& x) {
-  std::vector<BoxSearch::Corners> boxes;
+  std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     set_coefficients(static_cast<int>(i), x);
     boxes.push_back(side_box(pieces_[i].node, pieces_[i].count, x));

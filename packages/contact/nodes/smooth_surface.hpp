@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "contact/deformable_target.hpp"
 #include "contact/nodes/node_chain.hpp"
 #include "contact/nodes/surface_piece.hpp"
-#include "contact/target.hpp"
 
 namespace mudline {
 
@@ -17,7 +17,7 @@ enum class Drawing { sides, linear, hermite, bezier };
 
 /// A side set of the plane as pieces of curves, which nodes of another surface touch. The coefficients of `hermite` are
 /// those of the coordinates at the last update().
-class SmoothSurface : public Target {
+class SmoothSurface : public DeformableTarget {
  public:
   /// Corners: straight lines between neighbouring nodes that turn by more than `corner_angle` [rad] in x are not
   /// smoothed. `overhang`: an open end continues for this fraction of its last piece.
@@ -30,9 +30,7 @@ class SmoothSurface : public Target {
   const std::vector<MasterSurface::MasterSide>& sides() const override { return sides_; }
   PieceCoordinates coordinates(int piece, const ConstCoordinateView& x) const;
   void update(const ConstCoordinateView& x) override;
-  std::vector<int> near(const BoxSearch::Corners& box, double distance) const override {
-    return boxes_.near(box, distance);
-  }
+  std::vector<int> near(const Bounds& box, double distance) const override { return boxes_.near(box, distance); }
   bool find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
             const ConstCoordinateView& x, TargetPlace& place) const override;
   /// At a corner the normal is the direction from the corner to the point, or the mean normal on the corner itself.

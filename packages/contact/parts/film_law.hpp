@@ -48,7 +48,7 @@ struct FilmWater {
 /// Gradients [1/m] of the pore pressure's shape functions at point c, along the side as it was at the start of the
 /// step.
 template <int D>
-void pressure_slopes(const ContactTables& rule, int c, const SideCoordinates& x_old, int pressure_nodes, Point* slope) {
+void pressure_slopes(const ContactRule& rule, int c, const SideCoordinates& x_old, int pressure_nodes, Point* slope) {
   const bool corners = pressure_nodes < rule.nodes;
   const double* dP = corners ? &rule.corner_slope(c, 0) : &rule.shape_slope(c, 0);
   SideMap<D> map;

@@ -52,6 +52,20 @@ TEST_P(ContactInSpace, PlatePressesUniformly) {
     EXPECT_NEAR(pressure[node], model.mesh.place(node)[2] == 0 ? eps * 0.01 : 0, 1e-6);
 }
 
+TEST_P(ContactInSpace, MultipliersOfAFixedGapGrowByThePenaltyTimesIt) {
+  const double depth = 0.01;
+  ContactModel model(Geometry::space, block(GetParam(), 0.2), plate("", "0, 0, -0.01"),
+                     contact() + text_parameter("enforcement", "augmented Lagrangian"));
+  model.begin(1);
+  for (int count = 0; count < 4; ++count) {
+    model.residual();
+    const PointView& rows = model.points(model.store.trial());
+    for (std::size_t row = 0; row < rows.extent(0); ++row)
+      EXPECT_NEAR(rows(row, 1), (count + 1) * eps * depth, 1e-3 * eps * depth);
+    EXPECT_TRUE(model.contact->augment(model.view, count).again);
+  }
+}
+
 TEST_P(ContactInSpace, HeightsAreThoseOfTheCells) {
   ContactModel model(Geometry::space, block(GetParam()), plate("", "0, 0, -0.01"),
                      text_parameter("body", "b") + text_parameter("surface", "surface"), [](int, int) { return 3e5; });

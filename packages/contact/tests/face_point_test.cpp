@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "contact/target_point.hpp"
 #include "contact/tests/slope_friction.hpp"
 #include "tensor/vec.hpp"
 
@@ -43,62 +42,115 @@ TEST(FacePoint, ClosestPointLiesBelowThePointAlongTheNormal) {
   }
 }
 
-/// One evaluation of a point that penetrated a face in the step before and moves along and into it.
-struct Case {
-  explicit Case(CellShape shape) : face(bowl(shape, 0.2)), x_old(face.x) {
-    law.penalty = 1e4;
-    for (int a = 0; a < face.count; ++a)
-      for (int i = 0; i < 3; ++i) face.x[a][i] += 0.01 * std::sin(3.0 * a + i);
-    slave = {0.23, 0.15, -0.02};
+/// One face as a target. Its nodes are the first of the coordinates; their normals are constant.
+class OneFace : public DeformableTarget {
+ public:
+  explicit OneFace(const MasterFace& face) : DeformableTarget(3), face_(face) {
+    side_.count = face.count;
+    side_.shape = face.shape;
+    for (int a = 0; a < face.count; ++a) side_.node[a] = a;
+    sides_ = {side_};
   }
-  ClosestPoint closest() const {
-    TargetPlace place;
-    EXPECT_TRUE(find_projection(face, slave, place));
-    return closest_on_face(face, place);
+  int pieces() const override { return 1; }
+  TargetNodes nodes(int) const override { return {side_.count, side_.node}; }
+  const std::vector<MasterSurface::MasterSide>& sides() const override { return sides_; }
+  void update(const ConstCoordinateView&) override {}
+  std::vector<int> near(const Bounds&, double) const override { return {0}; }
+  bool find(const std::vector<int>&, const Point& at, const Point&, double, const ConstCoordinateView& x,
+            TargetPlace& place) const override {
+    place.piece = 0;
+    return find_projection(face_at(x), at, place);
   }
-  TargetForce force(bool tangent) const {
-    const ClosestPoint at = closest();
-    TargetPoint point{law, at, x_old.data(), {0.2, 0.16, -0.01}, 0.3};
-    point.gap_old = -0.01;
-    point.old.normal_force = 30;
-    point.old.shear.shear = {40, -20, 0};
-    point.normal_old = {0, 0, 1};
-    return target_force<3>(point, tangent);
+  ClosestPoint closest(const TargetPlace& place, const Point&, const ConstCoordinateView& x) const override {
+    return closest_on_face(face_at(x), place);
   }
-  /// Position of a node: the face's nodes come first, then the point itself.
-  Point& place(int node) { return node < face.count ? face.x[node] : slave; }
-  /// Weight of a node in d.
-  double weight(const ClosestPoint& at, int node) const { return node < face.count ? -at.weight[node] : 1.0; }
+  void weights(int, const double* at, double* weight) const override {
+    double slope[2 * max_side_nodes];
+    evaluate_shape(face_.shape, at, weight, slope);
+  }
 
-  ContactPointLaw law;
-  MasterFace face;
-  SideCoordinates x_old;
-  Point slave;
+ private:
+  MasterFace face_at(const ConstCoordinateView& x) const {
+    return {face_.shape, face_.count, side_coordinates(side_, x), face_.normal};
+  }
+  MasterFace face_;
+  MasterSurface::MasterSide side_{};
+  std::vector<MasterSurface::MasterSide> sides_;
 };
 
-void expect_tangent(Case at, double tolerance) {
-  const TargetForce exact = at.force(true), plain = at.force(false);
-  const ClosestPoint closest = at.closest();
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(exact.acting[i], plain.acting[i]);
-  ASSERT_TRUE(exact.point.active);
-  const double step = 1e-6;
-  for (int node = 0; node <= at.face.count; ++node)
-    for (int j = 0; j < 3; ++j) {
-      Case ahead = at, behind = at;
-      ahead.place(node)[j] += step;
-      behind.place(node)[j] -= step;
-      const TargetForce up = ahead.force(false), down = behind.force(false);
-      const ClosestPoint above = ahead.closest(), below = behind.closest();
-      for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(exact.acting_slope[i][j] * at.weight(closest, node), (up.acting[i] - down.acting[i]) / (2 * step),
-                    tolerance * at.law.penalty)
-            << node << ' ' << i << ' ' << j;
-      for (int a = 0; a < at.face.count; ++a)
-        EXPECT_NEAR(closest.weight_slope[a][j] * at.weight(closest, node),
-                    (above.weight[a] - below.weight[a]) / (2 * step), tolerance);
-      EXPECT_NEAR(exact.start_share_slope[j] * at.weight(closest, node),
-                  (up.start_share - down.start_share) / (2 * step), 1e-5);
+using Coordinates = Kokkos::View<double**, Kokkos::LayoutRight>;
+
+/// One evaluation of a point that penetrated a face in the step before and moves along and into it. Its place is the
+/// last of the coordinates.
+struct Case {
+  explicit Case(const MasterFace& face)
+      : target(face), nodes(face.count), x("x", nodes + 1, 3), x_old("x_old", nodes + 1, 3) {
+    law.penalty = 1e4;
+    for (int a = 0; a < nodes; ++a) put(x_old, a, face.x[a]);
+    Kokkos::deep_copy(x, x_old);
+    put(x_old, nodes, {0.2, 0.16, -0.01});
+    put(x, nodes, {0.23, 0.15, -0.02});
+    old.gap = -0.01;
+    old.normal_force = 30;
+    old.force = {1, -2, 30};
+    old.shear.shear = {40, -20, 0};
+  }
+  explicit Case(CellShape shape) : Case(bowl(shape, 0.2)) {
+    for (int a = 0; a < nodes; ++a)
+      for (int i = 0; i < 3; ++i) x(a, i) += 0.01 * std::sin(3.0 * a + i);
+  }
+  static void put(const Coordinates& to, int node, const Point& at) { std::copy_n(at.data(), 3, &to(node, 0)); }
+
+  /// Forces on the point, then on the nodes of the face.
+  ContactPoint evaluate(SideAction& out) const {
+    const SideFilm dry;
+    const std::vector<int> all{0};
+    const double shape = 1, columns[] = {0, 0.1, 0.2, 0, 0, 1};
+    PointInStep point{law, dry, all, 1, x_old, x, place_of(x_old, nodes), place_of(x, nodes), {0, 0, -1}, old};
+    point.area = area;
+    point.nodes = 1;
+    point.shape = &shape;
+    point.old_columns = columns;
+    double leaving[SideAction::most];
+    target.old_forces(columns, old.force, leaving);
+    if (law.conserves) point.leaving = leaving;
+    TargetPlace place;
+    EXPECT_TRUE(target.find(all, point.place, point.outward, 1, x, place));
+    out.open(3, target.num_dofs(0), 0);
+    return target.act(point, place, out);
+  }
+
+  ContactPointLaw law;
+  OneFace target;
+  int nodes;
+  Coordinates x, x_old;
+  PointHistory old;
+  double area = 0.3;
+};
+
+void expect_tangent(const Case& at, double tolerance) {
+  SideAction exact, up, down;
+  exact.tangent = true;
+  ASSERT_TRUE(at.evaluate(exact).active);
+  const double step = 1e-6, weight = 1 / (1 - at.law.start_weight);
+  const int dofs = exact.dofs();
+  at.evaluate(up);
+  for (int a = 0; a < dofs; ++a) {
+    EXPECT_EQ(exact.f[a], up.f[a]);
+    EXPECT_EQ(exact.later[a], up.later[a]);
+  }
+  for (int b = 0; b < dofs; ++b) {
+    double& moved = b < 3 ? at.x(at.nodes, b) : at.x(b / 3 - 1, b % 3);
+    moved += step;
+    at.evaluate(up);
+    moved -= 2 * step;
+    at.evaluate(down);
+    moved += step;
+    for (int a = 0; a < dofs; ++a) {
+      const double slope = (up.f[a] - down.f[a] + weight * (up.later[a] - down.later[a])) / (2 * step);
+      EXPECT_NEAR(exact.k[a * dofs + b], slope, tolerance * at.law.penalty) << a << ' ' << b;
     }
+  }
 }
 
 constexpr CellShape shapes[] = {CellShape::tri3, CellShape::tri6, CellShape::quad4, CellShape::quad9};
@@ -113,7 +165,8 @@ TEST(FacePoint, TangentOfStickAndSlip) {
     for (CellShape shape : shapes) {
       Case at(shape);
       at.law.friction = friction;
-      EXPECT_EQ(at.force(false).point.shear.slides, friction == &slides);
+      SideAction action;
+      EXPECT_EQ(at.evaluate(action).shear.slides, friction == &slides);
       expect_tangent(at, 1e-7);
     }
 }
@@ -131,26 +184,25 @@ TEST(FacePoint, TangentOfSharesAndDamping) {
 
 TEST(FacePoint, SlidingShearIsTheStrengthAlongTheWay) {
   const Slope friction(0.2);
-  MasterFace face = bowl(CellShape::quad4, 0.0);
-  ContactPointLaw law;
-  law.penalty = 1e4;
-  law.dt = 1e12;  // so slow that the speed has no effect
-  law.friction = &friction;
-  const SideCoordinates was = face.x;
-  TargetPlace place;
-  ASSERT_TRUE(find_projection(face, {0.4, 0.5, -0.01}, place));
-  const ClosestPoint at = closest_on_face(face, place);
-  TargetPoint point{law, at, was.data(), {0.1, 0.1, -0.01}, 0.5};
-  point.normal_old = {0, 0, 1};
-  point.gap_old = -0.01;
-  const ContactPoint out = target_force<3>(point, false).point;
+  Case at(bowl(CellShape::quad4, 0.0));
+  at.law.dt = 1e12;  // so slow that the speed has no effect
+  at.law.friction = &friction;
+  at.old = {};
+  at.old.gap = -0.01;
+  at.area = 0.5;
+  Case::put(at.x_old, at.nodes, {0.1, 0.1, -0.01});
+  Case::put(at.x, at.nodes, {0.4, 0.5, -0.01});
+  SideAction action;
+  const ContactPoint out = at.evaluate(action);
   EXPECT_NEAR(out.pressure, 100, 1e-10);
-  EXPECT_NEAR(out.total.force[2], 50, 1e-10);
-  EXPECT_NEAR(out.total.force[0], -0.2 * 50 * 0.6, 1e-10);
-  EXPECT_NEAR(out.total.force[1], -0.2 * 50 * 0.8, 1e-10);
-  double sum = 0;
-  for (int a = 0; a < face.count; ++a) sum += at.weight[a];
-  EXPECT_NEAR(sum, 1, 1e-14);
+  EXPECT_NEAR(out.force[2], 50, 1e-10);
+  EXPECT_NEAR(out.force[0], -0.2 * 50 * 0.6, 1e-10);
+  EXPECT_NEAR(out.force[1], -0.2 * 50 * 0.8, 1e-10);
+  for (int i = 0; i < 3; ++i) {
+    double sum = 0;
+    for (int a = 0; a <= at.nodes; ++a) sum += action.f[3 * a + i];
+    EXPECT_NEAR(sum, 0, 1e-12);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/laws/impact_share.hpp"
 #include "contact/nodes/node_contact.hpp"
 #include "slope_friction.hpp"
 
@@ -58,6 +59,7 @@ class EveryState : public testing::TestWithParam<Case> {
     old_state_.shift = c.multiplier / law_.penalty;
     old_state_.shear.shear[0] = 0.2 * c.multiplier;
     old_state_.normal_force = 2e4;
+    old_state_.gap = 0.01;
     if (c.friction > 0) law_.friction = &friction_;
     law_.conserves = c.late;
     law_.viscous = c.viscous;
@@ -65,35 +67,38 @@ class EveryState : public testing::TestWithParam<Case> {
   }
   /// Acting force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by
   /// them.
-  TargetForce evaluate(double (&f)[14], double (&k)[14][14]) {
+  ContactPoint evaluate(double (&f)[14], double (&k)[14][14]) {
     TargetPlace place;
     std::vector<int> all(surface_->pieces());
     std::iota(all.begin(), all.end(), 0);
     const Point at{x_(6, 0), x_(6, 1), 0};
     EXPECT_TRUE(surface_->find(all, at, {0, -1, 0}, 1, x_, place));
     corner_ = place.corner;
-    const ClosestPoint closest = surface_->closest(place, at, x_);
-    EXPECT_NEAR(place.gap, closest.gap, 1e-12);
-    const SurfacePiece& piece = surface_->piece(place.piece);
-    Point before[max_piece_nodes];
-    for (int j = 0; j < piece.count; ++j) before[j] = place_of(old_, piece.node[j]);
-    TargetPoint point{law_, closest, before, place_of(old_, 6), area_, 0.01, 0, {}, old_state_};
-    const TargetForce out = target_force<2>(point, true), plain = target_force<2>(point, false);
+    EXPECT_NEAR(place.gap, surface_->closest(place, at, x_).gap, 1e-12);
+    const SideFilm dry;
+    const double shape = 1;
+    PointInStep point{law_, dry, all, 1, old_, x_, place_of(old_, 6), at, {0, -1, 0}, old_state_};
+    point.area = area_;
+    point.nodes = 1;
+    point.shape = &shape;
+    SideAction out, plain;
+    out.tangent = true;
+    for (SideAction* action : {&out, &plain}) action->open(2, surface_->num_dofs(place.piece), 0);
+    const ContactPoint result = surface_->act(point, place, out);
+    surface_->act(point, place, plain);
     for (double& v : f) v = 0;
     for (auto& row : k)
       for (double& v : row) v = 0;
-    TargetColumns w{1, 1 + closest.nodes, {1}};
-    for (int j = 0; j < closest.nodes; ++j) w.weight[1 + j] = -closest.weight[j];
-    const auto node = [&](int a) { return a == 0 ? 6 : piece.node[a - 1]; };
-    for (int i = 0; i < 2; ++i) {
-      EXPECT_EQ(out.acting[i], plain.acting[i]);
-      for (int a = 0; a < w.count; ++a) f[2 * node(a) + i] += w.weight[a] * out.acting[i];
+    const auto number = [&](int dof) {
+      return dof < 2 ? 12 + dof : 2 * surface_->piece(place.piece).node[dof / 2 - 1] + dof % 2;
+    };
+    for (int a = 0; a < out.dofs(); ++a) {
+      EXPECT_EQ(out.f[a], plain.f[a]);
+      EXPECT_EQ(out.later[a], plain.later[a]);
+      f[number(a)] += out.f[a] + out.later[a] / (1 - law_.start_weight);
+      for (int b = 0; b < out.dofs(); ++b) k[number(a)][number(b)] += out.k[a * out.dofs() + b];
     }
-    node_slopes<2>(w, closest, out, {1, w.count, {}}, {}, [&](int a, int i, const double* by) {
-      spread_slopes<2>(w, closest, by,
-                       [&](int b, int j, double slope) { k[2 * node(a) + i][2 * node(b) + j] += slope; });
-    });
-    return out;
+    return result;
   }
   Slope friction_;
   Coordinates x_, old_;
@@ -129,10 +134,10 @@ INSTANTIATE_TEST_SUITE_P(Contact, EveryState,
 
 TEST_P(EveryState, TangentIsTheDifferencedForce) {
   double f[14], k[14][14], plus[14], minus[14], unused[14][14];
-  const TargetForce at = evaluate(f, k);
-  ASSERT_TRUE(at.point.active);
+  const ContactPoint at = evaluate(f, k);
+  ASSERT_TRUE(at.active);
   ASSERT_EQ(corner_, GetParam().corner);
-  ASSERT_EQ(at.point.shear.slides, GetParam().friction > 0 && GetParam().friction < 1);
+  ASSERT_EQ(at.shear.slides, GetParam().friction > 0 && GetParam().friction < 1);
   double size = 0, error = 0;
   for (int b = 0; b < 14; ++b) {
     constexpr double h = 1e-6;
@@ -151,7 +156,7 @@ TEST_P(EveryState, TangentIsTheDifferencedForce) {
 
 TEST_P(EveryState, ForcesAndMomentsCancel) {
   double f[14], k[14][14], sum[2] = {0, 0}, moment = 0, size = 0;
-  const TargetForce at = evaluate(f, k);
+  const ContactPoint at = evaluate(f, k);
   for (int a = 0; a < 7; ++a) {
     for (int i = 0; i < 2; ++i) sum[i] += f[2 * a + i];
     moment += x_(a, 0) * f[2 * a + 1] - x_(a, 1) * f[2 * a];
@@ -159,13 +164,13 @@ TEST_P(EveryState, ForcesAndMomentsCancel) {
   }
   EXPECT_LT(std::hypot(sum[0], sum[1]), 1e-14 * size);
   // friction acts across the gap
-  EXPECT_NEAR(moment, at.share * area_ * at.point.gap * at.point.shear.shear[0],
-              1e-13 * size + 1e-9 * std::abs(moment));
+  const double share = law_.conserves ? end_share(0.01, at.gap, 0.0) / (1 - law_.start_weight) : 1.0;
+  EXPECT_NEAR(moment, share * area_ * at.gap * at.shear.shear[0], 1e-13 * size + 1e-9 * std::abs(moment));
 }
 
 TEST_P(EveryState, RigidMotionOfAllIsNotSeen) {
   double f[14], k[14][14], turned[14];
-  const TargetForce at = evaluate(f, k);
+  const ContactPoint at = evaluate(f, k);
   const double c = std::cos(0.7), s = std::sin(0.7);
   for (Coordinates* x : {&x_, &old_})
     for (int a = 0; a < 7; ++a) {
@@ -174,9 +179,9 @@ TEST_P(EveryState, RigidMotionOfAllIsNotSeen) {
       (*x)(a, 1) = s * r[0] + c * r[1] - 2;
     }
   surface_->update(old_);
-  const TargetForce there = evaluate(turned, k);
-  EXPECT_NEAR(there.point.gap, at.point.gap, 1e-12);
-  EXPECT_NEAR(there.point.shear.shear[0], at.point.shear.shear[0], 1e-6 * (1 + std::abs(at.point.shear.shear[0])));
+  const ContactPoint there = evaluate(turned, k);
+  EXPECT_NEAR(there.gap, at.gap, 1e-12);
+  EXPECT_NEAR(there.shear.shear[0], at.shear.shear[0], 1e-6 * (1 + std::abs(at.shear.shear[0])));
   for (int a = 0; a < 7; ++a) {
     EXPECT_NEAR(turned[2 * a], c * f[2 * a] - s * f[2 * a + 1], 1e-5);
     EXPECT_NEAR(turned[2 * a + 1], s * f[2 * a] + c * f[2 * a + 1], 1e-5);
@@ -193,14 +198,21 @@ TEST(NodeSegment, OpenNodeHasNeitherForceNorStiffness) {
   TargetPlace place;
   const Point at{0.4, 0.01, 0};
   ASSERT_TRUE(surface.find({0}, at, {0, -1, 0}, 0.1, x, place));
-  const ClosestPoint closest = surface.closest(place, at, x);
-  const Point before[2] = {place_of(x, 0), place_of(x, 1)};
-  const TargetForce force = target_force<2>({law, closest, before, at, 1.0}, true);
-  EXPECT_FALSE(force.point.active);
-  EXPECT_NEAR(force.point.gap, 0.01, 1e-15);
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(force.acting[i], 0);
-    for (double slope : force.acting_slope[i]) EXPECT_EQ(slope, 0);
+  const SideFilm dry;
+  const double shape = 1;
+  const std::vector<int> all{0};
+  PointInStep point{law, dry, all, 0.1, x, x, at, at, {0, -1, 0}};
+  point.area = point.nodes = 1;
+  point.shape = &shape;
+  SideAction action;
+  action.tangent = true;
+  action.open(2, surface.num_dofs(0), 0);
+  const ContactPoint result = surface.act(point, place, action);
+  EXPECT_FALSE(result.active);
+  EXPECT_NEAR(result.gap, 0.01, 1e-15);
+  for (int a = 0; a < action.dofs(); ++a) {
+    EXPECT_EQ(action.f[a], 0);
+    for (int b = 0; b < action.dofs(); ++b) EXPECT_EQ(action.k[a * action.dofs() + b], 0);
   }
 }
 

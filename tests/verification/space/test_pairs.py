@@ -19,11 +19,11 @@ def between(**more):
 
 
 class PairCase(SpaceCase):
-    def run_pair(self, name, boxes, conditions, stages, contacts, **sections):
+    def run_pair(self, name, boxes, conditions, stages, contacts, ranks=1, **sections):
         """The blocks' cells are all of the same order; both are of the same soil."""
         order = 1 if boxes["upper"].cell in ("tet4", "hex8") else 2
         mesh = {"type": "gmsh", "file": write_boxes(f"{self.folder}/{name}.msh", boxes), "order": order}
-        return self.run_text(name, deck(name, mesh, conditions, stages, material=STIFF, contacts=contacts, **sections))
+        return self.run_text(name, deck(name, mesh, conditions, stages, material=STIFF, contacts=contacts, **sections), ranks=ranks)
 
 
 class Patch(PairCase):
@@ -59,6 +59,34 @@ class Patch(PairCase):
                 upright = stress[:, 5]
                 self.assert_near(f"{cell}: evenness", upright, upright.mean(), 0.03)
                 self.assert_near(f"{cell}: force", history["contact/face/force on slave z"][-1], -upright.mean(), 2e-3)
+
+
+class Multipliers(PairCase):
+    """A block pressed on another one and pulled aslant so little that it sticks, with multipliers: the gap closes and nothing slips, soft as
+    the penalty may be, on any number of ranks."""
+    FORCES = [f"contact/face/force on slave {axis}" for axis in "xyz"]
+
+    def pull(self, cell, penalty_factor, ranks=1):
+        boxes = {"lower": BoxMesh(cell, (2, 2, 2)), "upper": moved(BoxMesh(cell, (3, 3, 2), (0.6, 0.6, 0.5)), (0.2, 0.2, 1))}
+        conditions = {"base": {"type": "fixed", "set": "lower bottom"},
+                      "push": {"type": "displacement", "set": "upper top", "x": "1e-5*max(t-1,0)", "y": "2e-5*max(t-1,0)", "z": "-1e-4*min(t,1)"}}
+        pair = between(enforcement="augmented Lagrangian", **{"penalty factor": penalty_factor}, friction={"type": "coulomb", "coefficient": 5.0})
+        history = self.run_pair("pull", boxes, conditions, {"pull": quasi_static(2, 0.5, maximum=0.5)}, pair, ranks=ranks)
+        self.assertLess(history["contact/face/weighted gap"].max(), 1e-6 * 0.2)
+        self.assertEqual(history["contact/face/sliding points"].max(), 0)
+        return history
+
+    def test_stiffness_of_the_penalty(self):
+        for cell in ("tet10", "hex27"):
+            with self.subTest(cell=cell):
+                soft, stiff = (self.pull(cell, factor) for factor in (2.0, 20.0))
+                for name in self.FORCES:
+                    self.assert_near(f"{cell}: {name}", soft[name][-1], stiff[name][-1], 5e-3)
+
+    def test_ranks(self):
+        serial = self.pull("tet10", 10.0)
+        for ranks in (2, 4):
+            self.assert_same_run(serial, self.pull("tet10", 10.0, ranks), self.FORCES, f"{ranks} ranks", rounding=1e-6)
 
 
 class Coulomb(PairCase):
