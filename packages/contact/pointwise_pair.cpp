@@ -68,11 +68,12 @@ void PointwisePairContact::bind(const Section& section, std::unique_ptr<Target> 
 }
 
 void PointwisePairContact::declare_state(StateStore& store) {
-  std::vector<StateVariable> more = {{"piece", 1, "-"}, {"place 1", 1, "-"}};
-  if (axes() == 3)
-    more.insert(more.end(), {{"place 2", 1, "-"}, {"normal x", 1, "-"}, {"normal y", 1, "-"}, {"normal z", 1, "-"}});
+  std::vector<StateVariable> more;
+  for (const char* of_target : {"piece", "place 1", "place 2", "normal x", "normal y", "normal z"})
+    if (axes() == 3 || more.size() < 2) more.push_back({of_target, 1, "-", Transfer::nearest});
   declare_points(store, more);
-  if (deck_.damping > 0) damping_ = declare_rows(store, name() + "/damping", {{"heat", 1, "J"}}, {}, true);
+  if (deck_.damping > 0)
+    damping_ = store.declare(ArrayInfo::of_sum(name() + "/damping", {{"heat", 1, "J"}}).not_shown());
 }
 
 int PointwisePairContact::entry(int row, int piece) const {

@@ -15,13 +15,13 @@ void PenaltyContact::declare_state(StateStore& store) {
   body_->declare_state(store);
   std::vector<StateVariable> more = {{"height", 1, "m"}};
   if (axes() == 2)
-    more.push_back({"moment", 1, "N m"});
+    more.push_back({"moment", 1, "N m", Transfer::total});
   else
-    for (const char* axis : axis_names) more.push_back({std::string("moment ") + axis, 1, "N m"});
+    for (const char* axis : axis_names) more.push_back({std::string("moment ") + axis, 1, "N m", Transfer::total});
   declare_points(store, more);
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
   for (int i = 0; i < axes(); ++i) sums.push_back({std::string("damping ") + axis_names[i], 1, "N"});
-  work_ = declare_rows(store, name() + "/work", sums, {}, true);
+  work_ = store.declare(ArrayInfo::of_sum(name() + "/work", sums).not_shown());
 }
 
 void PenaltyContact::sparsity(Assembler& assembler) {
