@@ -11,6 +11,7 @@
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_quality.hpp"
 #include "discretisation/mesh_topology.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -88,18 +89,43 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   colours_ = vertex_colours(mesh_, movable_);
 }
 
+std::string Ale::problem_at_points(const StateStore& store, int handle) const {
+  const ArrayInfo& info = store.info(handle);
+  const SoilBlock& b = soil_.blocks[info.block];
+  if (info.points_per_element != b.points)
+    return "the point data '" + info.name + "' have " + std::to_string(info.points_per_element) +
+           " points per element where the soil has " + std::to_string(b.points) +
+           ": they cannot be transferred; declare them on the soil's points";
+  if (b.made_of.size() == 1) return "";
+  for (const StateVariable& v : info.variables) {
+    const bool of_law = handle == b.law && v.transfer != Transfer::value;
+    if (of_law || (v.transfer == Transfer::mass && handle != b.void_ratio))
+      return "in layered soil the variable '" + v.name + "' of '" + info.name +
+             "' cannot be transferred by its rule; there only values can be";
+  }
+  return "";
+}
+
 std::string Ale::problem(const StateStore& store) const {
+  std::string problem;
   for (int handle = 0; handle < store.num_arrays(); ++handle) {
     const ArrayInfo& info = store.info(handle);
-    if (info.block < 0) continue;
-    const SoilBlock& b = soil_.blocks[info.block];
-    if (info.points_per_element != b.points)
-      return "the point data '" + info.name + "' have " + std::to_string(info.points_per_element) +
-             " points per element where the soil has " + std::to_string(b.points) +
-             ": they cannot be transferred; declare them on the soil's points";
-    for (const StateVariable& variable : info.variables)
-      if (variable.remap == RemapRule::mass && handle != b.void_ratio)
-        return "the point data '" + info.name + "' are to be transferred by mass, which is for void ratios only";
+    if (info.on == ArrayInfo::On::points) problem = problem_at_points(store, handle);
+    const auto in_set = [&](const auto& line) { return line.sets.count(info.surface->side_set()) > 0; };
+    if (info.on == ArrayInfo::On::surface && std::none_of(paths().begin(), paths().end(), in_set) &&
+        std::none_of(surfaces().faces.begin(), surfaces().faces.end(), in_set))
+      problem = "the state '" + info.name + "' is on the side set '" + info.surface->side_set() +
+                "', which is no boundary of a region: it cannot be transferred";
+    bool moves = false;  // a node that keeps a part of a sum, in a remeshing
+    if (remesher_ && info.on == ArrayInfo::On::nodes &&
+        std::any_of(info.variables.begin(), info.variables.end(),
+                    [](const StateVariable& v) { return v.transfer == Transfer::total; }))
+      moves = std::any_of(info.nodes.begin(), info.nodes.end(),
+                          [&](int node) { return !remesher_->keeps(mesh_.number_of(node)); });
+    if (problem.empty() && mesh_.any(moves))
+      problem = "the state '" + info.name +
+                "' has parts of a sum at nodes that a remeshing would move; name their set in boundary/material sides";
+    if (!problem.empty()) return problem;
   }
   return "";
 }
@@ -226,125 +252,6 @@ double Ale::largest_motion(const Positions& x_old, const Positions& x_new) const
   return mesh_.largest(largest);
 }
 
-SoilTable Ale::table_of(const StateStore& store, const SoilBlock& b) const {
-  SoilTable table{0, -1, -1, -1, -1, {}};
-  for (int handle = 0; handle < store.num_arrays(); ++handle) {
-    if (store.info(handle).block != b.block) continue;
-    if (handle == b.stress) table.stress = table.columns;
-    if (handle == b.void_ratio) table.void_ratio = table.columns;
-    if (handle == b.law) table.law = table.columns;
-    if (handle == b.origin) table.origin = table.columns;
-    for (const StateVariable& variable : store.info(handle).variables) {
-      table.columns += variable.components;
-      table.variables.push_back(variable);
-    }
-  }
-  return table;
-}
-
-void Ale::conserve_grains(const PointTransfer& transfer, const SoilTable& table, const LayerRatios& ratios,
-                          MeshReceipt& receipt) const {
-  const std::vector<Grains> grains = restore_grains(transfer, soil_, table.void_ratio, table.origin, ratios);
-  receipt.restored_grains.resize(soil_.materials.size(), 0.0);
-  receipt.unresolved_grains.resize(soil_.materials.size(), 0.0);
-  double worst = 0;
-  for (std::size_t k = 0; k < grains.size(); ++k) {
-    const int material = transfer.after.block.made_of[k];
-    receipt.restored_grains[material] += soil_.materials[material]->grain_density * grains[k].missing;
-    receipt.unresolved_grains[material] += soil_.materials[material]->grain_density * grains[k].unresolved;
-    receipt.unresolved_volume += grains[k].unresolved;
-    if (std::abs(grains[k].lost()) > std::abs(worst)) worst = grains[k].lost();
-  }
-  if (std::abs(worst) > std::abs(receipt.restored_solid)) receipt.restored_solid = worst;
-}
-
-void Ale::transfer_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
-                         const BlockPoints& after, const StateStore& store, const State& to, const Transferring& how,
-                         MeshReceipt& receipt) const {
-  const SoilBlock &b_old = before.block, &b = after.block;
-  // all of the block's point data in one table: points are located and patches fitted once
-  const SoilTable columns = table_of(store, b);
-  const auto each = [&](const auto& visit) {
-    int column = 0;
-    for (int handle = 0; handle < store.num_arrays(); ++handle) {
-      const ArrayInfo& info = store.info(handle);
-      if (info.block == b.block)
-        for (std::size_t c = 0; c < to.arrays[handle].extent(1); ++c, ++column)
-          visit(handle, static_cast<int>(c), column);
-    }
-  };
-  PointView table("", b_old.elements * b_old.points, columns.columns);
-  each([&](int handle, int c, int column) {
-    const PointView& rows = old_state.arrays[old_store.find(store.info(handle).name)];
-    for (int i = 0; i < b_old.elements * b_old.points; ++i) table(i, column) = rows(i, c);
-  });
-  const std::vector<double> old = before.mesh.gather_points(b_old.block, b_old.points, table);
-  std::vector<double> now = old;
-  if (&before.mesh != &after.mesh)
-    now.assign(after.mesh.block_elements(b.block).size() * b.points * columns.columns, 0.0);
-  const PointTransfer transfer{before, after, how.patches, columns.variables, columns.columns, old, now};
-  LayerRatios ratios;
-  if (b.made_of.size() > 1) {
-    LayerChanges layers = LayerRemap(soil_, how.remap).transfer(transfer, columns);
-    receipt.changed += static_cast<int>(mesh_.sum(layers.changed));
-    receipt.started += static_cast<int>(mesh_.sum(layers.started));
-    const std::string problem = broadcast(*mesh_.mesh().comm(), layers.problem),
-                      where = broadcast(*mesh_.mesh().comm(), layers.where);
-    if (receipt.started_where.empty()) receipt.started_where = where;
-    if (receipt.veto.empty()) receipt.veto = problem;
-    ratios = std::move(layers.ratios);
-  } else {
-    how.remap.transfer(transfer);
-  }
-  if (deck_.conserve) conserve_grains(transfer, columns, ratios, receipt);
-  const std::vector<int>& own = after.mesh.own_elements(b.block);
-  each([&](int handle, int c, int column) {
-    const PointView& rows = to.arrays[handle];
-    for (int e = 0; e < b.elements; ++e)
-      for (int q = 0; q < b.points; ++q)
-        rows(e * b.points + q, c) =
-            now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns.columns + column];
-  });
-  if (b.origin >= 0)
-    for (int row = 0; row < b.elements * b.points; ++row)  // the material's number, whose remap left rounding errors
-      to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
-}
-
-void Ale::transfer_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
-                          MeshReceipt& receipt) const {
-  MeshReceipt here;  // the shares of the parts of a motion add up
-  for (std::size_t k = 0; k < soil_.blocks.size(); ++k)
-    transfer_block({mesh_, soil_.blocks[k], x_old}, store, to, {mesh_, soil_.blocks[k], x_new}, store, to,
-                   {*remap_, patches_[k]}, here);
-  receipt.changed += here.changed;
-  receipt.started += here.started;
-  if (receipt.started_where.empty()) receipt.started_where = here.started_where;
-  if (receipt.veto.empty()) receipt.veto = here.veto;
-  receipt.restored_solid += here.restored_solid;
-  receipt.restored_grains.resize(soil_.materials.size(), 0.0);
-  receipt.unresolved_grains.resize(soil_.materials.size(), 0.0);
-  receipt.unresolved_volume += here.unresolved_volume;
-  for (std::size_t k = 0; k < here.restored_grains.size(); ++k) {
-    receipt.restored_grains[k] += here.restored_grains[k];
-    receipt.unresolved_grains[k] += here.unresolved_grains[k];
-  }
-}
-
-void Ale::transfer_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
-  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new, &deck_.boundary.surfaces());
-  for (int f = 0; f < space_.num_fields(); ++f) {
-    if (space_.field(f).support == Support::apart) continue;
-    for (const NodalView& values : {to.value, to.rate, to.acceleration}) {
-      // Beside a body the displacement jumps: the soil on its wall came from the ground surface.
-      const bool jumps = f == soil_.displacement && values.data() == to.value.data();
-      mesh_.scatter(
-          space_, f,
-          nodal.apply(mesh_.gather(space_, f, values), space_.field(f).components, space_.field(f).support, jumps),
-          values);
-    }
-  }
-}
-
 void Ale::keep_compression(double before, const Constraints& constraints, State& to) const {
   if (soil_.pressure < 0) return;
   const std::vector<double> transferred = mesh_.gather(space_, soil_.pressure, to.value);
@@ -412,12 +319,12 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
     for (std::size_t node = 0; node < to.size(); ++node)
       for (int d = 0; d < place_size; ++d)
         to[node][d] = part == parts ? x_new[node][d] : x_old[node][d] + share * (x_new[node][d] - x_old[node][d]);
-    transfer_points(store, from, to, moved, receipt);
+    MeshTransfer(*this, from, to).transfer(store, moved, store, moved, receipt);
     if (!receipt.veto.empty()) return receipt;
-    transfer_nodes(from, to, moved);
     from = to;
   }
   mesh_.scatter(x_new, moved.coordinates);
+  MeshTransfer::follow_surfaces(store, state.coordinates, moved);
   if (deck_.conserve) keep_compression(receipt.before.compression, constraints, moved);
   take_stock(moved, receipt);
   receipt.veto = lost_mass(receipt);

@@ -7,10 +7,7 @@
 
 #include "ale/boundary_motion.hpp"
 #include "ale/interior_motion.hpp"
-#include "ale/layer_remap.hpp"
-#include "ale/mesh_change.hpp"
-#include "ale/nodal_remap.hpp"
-#include "ale/remap.hpp"
+#include "ale/mesh_transfer.hpp"
 #include "ale/remesher.hpp"
 #include "ale/vertex_colours.hpp"
 #include "physics/inventory.hpp"
@@ -66,13 +63,13 @@ class Ale {
   Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
       const Section& section, const MeshMotionRegistries& registries, const RemeshedMesh* remeshed);
   static void document(Parameters& p);
-  /// Why point data that a term declared cannot be transferred; "": they can.
+  /// Why an array of the state cannot be transferred; "": all can. Collective.
   std::string problem(const StateStore& store) const;
 
   /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
   bool due(int step, const State& committed) const;
-  /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and then
-  /// calls Transferred::take_evaluated. `constraints`: those of the step that ended. Collective.
+  /// Moves mesh and state. The caller evaluates the state anew and then calls StateStore::take_evaluated.
+  /// `constraints`: those of the step that ended. Collective.
   MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;
@@ -96,16 +93,23 @@ class Ale {
   /// Moves the free boundary of a new mesh until the soil has the volume that it has in state `before` on the old mesh,
   /// that of `from`. `constraints`: those of the present instant, on the new mesh. Collective.
   void match_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const;
-  /// Transfers the soil's state from `from` to `store`, after match_volume(); `store` must hold the bodies' state
-  /// already. The terms then follow as after relocate(). Collective.
-  MeshReceipt transfer_from(const Ale& from, const StateStore& old_store, const MeshChange& change,
+  /// Transfers the state from `from` to `store`, after match_volume(); `store` must hold the bodies' state and the
+  /// arrays without places already. It is then evaluated as after relocate(). Collective.
+  MeshReceipt transfer_from(const Ale& from, const StateStore& old_store, const MeshTransfer& transfer,
                             const Constraints& constraints, StateStore& store) const;
   const Space& space() const { return space_; }
+  const Soil& soil() const { return soil_; }
   /// This rank's part of the mesh, with ghosts. The paths are those of the whole mesh.
   const GhostedMesh& mesh() const { return mesh_; }
   const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
   /// Boundary surfaces of the whole mesh; empty in the plane.
-  const MeshSurfaces& surfaces() const { return deck_.boundary.surfaces().surfaces(); }
+  const MeshSurfaces& surfaces() const { return surface_motion().surfaces(); }
+  const SurfaceMotion& surface_motion() const { return deck_.boundary.surfaces(); }
+  /// Remap of point data to the moved mesh, and the patches of a block of the soil for it.
+  const Remap& remap() const { return *remap_; }
+  const RecoveryPatches& patches(std::size_t block) const { return patches_[block]; }
+  /// Whether a transfer restores what it changed in grains, water and momentum.
+  bool conserves() const { return deck_.conserve; }
 
  private:
   /// New positions of all nodes; a reason when there are none.
@@ -119,34 +123,14 @@ class Ale {
   bool folded(const Positions& x) const;
   /// Puts mid-side nodes and centres that are not on a boundary in the middle of the nodes around them.
   void place_mid_side_nodes(Positions& x) const;
-  struct Transferring {
-    const Remap& remap;
-    const RecoveryPatches& patches;  // of the old mesh
-  };
-  /// All point data of one block, from the state of one store to that of another or of the same one. Adds its result to
-  /// the receipt, also a veto.
-  void transfer_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
-                      const BlockPoints& after, const StateStore& store, const State& to, const Transferring& how,
-                      MeshReceipt& receipt) const;
-  /// Transfers the point data of all blocks to the moved mesh; adds the result to the receipt.
-  void transfer_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
-                       MeshReceipt& receipt) const;
-  /// Column layout of the table of all point data of a block, in the order of their handles.
-  SoilTable table_of(const StateStore& store, const SoilBlock& block) const;
-  /// Puts the grains back that a transfer lost.
-  void conserve_grains(const PointTransfer& transfer, const SoilTable& table, const LayerRatios& ratios,
-                       MeshReceipt& receipt) const;
+  /// Why a point array or a law has variables that cannot be transferred in a block; "": it has none.
+  std::string problem_at_points(const StateStore& store, int handle) const;
   /// Scales the free pore pressures until the compression of the pore water [m3] is `before`.
   void keep_compression(double before, const Constraints& constraints, State& to) const;
-  void transfer_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
   /// Sets the receipt's inventory after a transfer, with the grains that the points of cut elements do not resolve.
   void take_stock(const State& state, MeshReceipt& receipt) const;
   /// Why a transfer must be vetoed for the mass that it changed; "": it is conserved within the tolerance.
   std::string lost_mass(const MeshReceipt& receipt) const;
-  // Transfers to another mesh, see transfer_from().
-  void transfer_nodes_from(const State& old_state, const MeshChange& change, State& to) const;
-  void transfer_points_from(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
-                            MeshReceipt& receipt) const;
   void keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const;
 
   AleParameters deck_;

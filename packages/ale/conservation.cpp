@@ -74,6 +74,15 @@ double soil_volume(const GhostedMesh& mesh, const Soil& soil, const Positions& x
   return mesh.sum(sum);
 }
 
+std::vector<double> point_volumes(const BlockPoints& at, Geometry geometry) {
+  const auto& [mesh, block, x] = at;
+  std::vector<double> result(mesh.block_elements(block.block).size() * block.points);
+  for (int e : mesh.block_elements(block.block))
+    for (int q = 0; q < block.points; ++q)
+      result[mesh.first_row(e, block.points) + q] = part(mesh.elements()[e], block, q, x, geometry).volume;
+  return result;
+}
+
 FreeBoundary::FreeBoundary(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                            const std::vector<double>& held, const Positions& x) {
   mesh.dimension() == 2 ? find<2>(mesh, soil, freedom, held, x) : find<3>(mesh, soil, freedom, held, x);

@@ -28,6 +28,9 @@ struct FreeBoundary {
             const std::vector<double>& held, const Positions& x);
 };
 
+/// Volumes [m3; plane strain: per metre] of the points of a block, ghosts among them: (row of gather_points).
+std::vector<double> point_volumes(const BlockPoints& at, Geometry geometry);
+
 /// Grains of one material in a block [m3].
 struct Grains {
   double before = 0;      // before the transfer

@@ -438,6 +438,15 @@ void GhostedMesh::scatter(const Positions& from, const CoordinateView& to) const
     for (int d = 0; d < dimension(); ++d) to(i, d) = from[of_mesh_[i]][d];
 }
 
+std::vector<double> GhostedMesh::gather_nodes(const std::vector<double>& values, int components) const {
+  std::vector<double> table(static_cast<std::size_t>(components) * num_nodes(), 0.0);
+  for (int i = 0; i < mesh_.num_owned_nodes(); ++i)
+    std::copy_n(&values[static_cast<std::size_t>(components) * i], components,
+                &table[static_cast<std::size_t>(components) * of_mesh_[i]]);
+  fill(table, components);
+  return table;
+}
+
 std::vector<double> GhostedMesh::gather(const Space& space, int field, const ConstNodalView& values) const {
   const int components = space.field(field).components;
   std::vector<double> table(static_cast<std::size_t>(components) * num_nodes(), 0.0);

@@ -100,6 +100,10 @@ class GhostedMesh {
   /// A field by (node, component); nodes without the field hold 0. Collective.
   std::vector<double> gather(const Space& space, int field, const ConstNodalView& values) const;
   void scatter(const Space& space, int field, const std::vector<double>& from, const NodalView& to) const;
+  /// Values by (node of the mesh, component), of which those of owned nodes count, by (node, component). Collective.
+  std::vector<double> gather_nodes(const std::vector<double>& values, int components) const;
+  /// Number here of a local node of the mesh.
+  int number_of(int node_of_mesh) const { return of_mesh_[node_of_mesh]; }
   /// Rows of a block's point array: (first_row(e) + q, columns). Collective.
   std::vector<double> gather_points(int block, int points, const ConstPointView& rows) const;
   /// Row of an element's first point in what gather_points returns.

@@ -138,10 +138,28 @@ void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, cons
   }
 }
 
+NodalRemap::Sources NodalRemap::sources(const Place& place, Support support) const {
+  Sources result;
+  const bool on_side = place.side_nodes[0] >= 0;
+  const CellShape whole = on_side ? place.side : mesh_.elements()[place.element].shape,
+                  shape = support == Support::vertices ? linear_partner(whole) : whole;
+  const double* const xi = on_side ? place.along.data() : place.xi;
+  double slopes[81];
+  evaluate_shape(shape, xi, result.weight, slopes);
+  result.count = num_nodes(shape);
+  result.nodes = on_side ? place.side_nodes.data() : mesh_.elements()[place.element].nodes.data();
+  for (int a = 0; a < result.count; ++a) {
+    const Vec<double, 3> at = reference_node(shape, a);
+    double square = 0;
+    for (int k = 0; k < dimension(shape); ++k) square += std::pow(xi[k] - at[k], 2);
+    result.away[a] = std::sqrt(square);
+  }
+  return result;
+}
+
 std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support,
                                       bool limited) const {
   std::vector<double> now(places_.size() * components, 0.0);
-  double N[27], dN[81];
   for (int node : to_.owned_nodes()) {
     const Place& place = places_[node];
     if (support == Support::vertices && !to_.is_vertex(node)) continue;
@@ -149,25 +167,12 @@ std::vector<double> NodalRemap::apply(const std::vector<double>& old, int compon
       for (int c = 0; c < components; ++c) now[components * node + c] = old[components * place.same + c];
       continue;
     }
-    const auto& element = mesh_.elements()[place.element];
-    int count;
-    const int* from;
-    if (place.side_nodes[0] >= 0) {
-      const CellShape shape = support == Support::vertices ? linear_partner(place.side) : place.side;
-      count = num_nodes(shape);
-      evaluate_shape(shape, place.along.data(), N, dN);
-      from = place.side_nodes.data();
-    } else {
-      const CellShape shape = support == Support::vertices ? linear_partner(element.shape) : element.shape;
-      count = num_nodes(shape);
-      evaluate_shape(shape, place.xi, N, dN);
-      from = element.nodes.data();
-    }
+    const Sources from = sources(place, support);
     for (int c = 0; c < components; ++c) {
       double sum = 0, least = 1e300, most = -1e300;
-      for (int a = 0; a < count; ++a) {
-        const double value = old[components * from[a] + c];
-        sum += N[a] * value;
+      for (int a = 0; a < from.count; ++a) {
+        const double value = old[components * from.nodes[a] + c];
+        sum += from.weight[a] * value;
         least = std::min(least, value);
         most = std::max(most, value);
       }
@@ -175,6 +180,44 @@ std::vector<double> NodalRemap::apply(const std::vector<double>& old, int compon
     }
   }
   to_.fill(now, components);
+  return now;
+}
+
+std::vector<double> NodalRemap::of_rows(const std::vector<double>& old, const std::vector<double>& has,
+                                        const std::vector<StateVariable>& variables) const {
+  const std::size_t columns = old.size() / has.size();
+  std::vector<double> now(places_.size() * columns, 0.0);
+  const bool moved = &mesh_ == &to_;
+  for (int node : to_.owned_nodes()) {
+    const Place& place = places_[node];
+    Sources from;
+    int nearest = place.same;
+    bool whole = false;  // all nodes around have rows
+    if (place.same < 0) {
+      from = sources(place, Support::all_nodes);
+      const auto has_row = [&](int a) { return has[from.nodes[a]] != 0; };
+      int best = -1, with = 0;
+      for (int a = 0; a < from.count; ++a) {
+        if (!has_row(a)) continue;
+        ++with;
+        if (best < 0 || from.away[a] < from.away[best]) best = a;
+      }
+      nearest = from.nodes[std::max(best, 0)];
+      whole = with == from.count;
+    }
+    std::size_t column = 0;
+    for (const StateVariable& variable : variables)
+      for (int k = 0; k < variable.components; ++k, ++column) {
+        const bool stays = moved && variable.transfer == Transfer::total;
+        double value = old[columns * (stays ? node : nearest) + column];
+        if (whole && variable.transfer == Transfer::value) {
+          value = 0;
+          for (int a = 0; a < from.count; ++a) value += from.weight[a] * old[columns * from.nodes[a] + column];
+          value = std::clamp(value, variable.low, variable.high);
+        }
+        now[columns * node + column] = value;
+      }
+  }
   return now;
 }
 

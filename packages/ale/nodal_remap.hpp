@@ -36,6 +36,11 @@ class NodalRemap {
   /// overshoot more with every remap; it clips the peaks of smooth fields. Collective.
   std::vector<double> apply(const std::vector<double>& old, int components, Support support,
                             bool limited = false) const;
+  /// Rows of an array at nodes by the rules of its variables. `old`: (node, column), `has`: (node) 1 where there is a
+  /// row. A value that would be interpolated from a node without a row is that of the nearest node with one. Where the
+  /// mesh moved, a total stays with its node.
+  std::vector<double> of_rows(const std::vector<double>& old, const std::vector<double>& has,
+                              const std::vector<StateVariable>& variables) const;
 
  private:
   struct Place {
@@ -49,6 +54,13 @@ class NodalRemap {
   /// Sets the place to the closest point on the sides of an old path between the vertices `first` and `last`.
   void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
                    Place& place) const;
+  /// The nodes from which a place takes its values, with their weights.
+  struct Sources {
+    int count;
+    const int* nodes;
+    double weight[27], away[27];  // [-]; away: distance in reference coordinates
+  };
+  Sources sources(const Place& place, Support support) const;
   void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);
   void put_on_new_faces(const Bounded& from, const Bounded& to);
 

@@ -78,27 +78,6 @@ Remeshing Ale::remesh(int step, const State& committed, const WantedSizes* sizes
   return result;
 }
 
-void Ale::transfer_nodes_from(const State& old_state, const MeshChange& change, State& to) const {
-  for (int f = 0; f < space_.num_fields(); ++f) {
-    if (space_.field(f).support == Support::apart) continue;
-    const std::pair<NodalView, NodalView> pairs[] = {
-        {old_state.value, to.value}, {old_state.rate, to.rate}, {old_state.acceleration, to.acceleration}};
-    for (const auto& [old, now] : pairs)
-      change.transfer(f, old, now, f == soil_.displacement && now.data() == to.value.data());
-  }
-}
-
-void Ale::transfer_points_from(const Ale& from, const StateStore& old_store, const MeshChange& change,
-                               StateStore& store, MeshReceipt& receipt) const {
-  for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
-    const SoilBlock& b_old = from.soil_.blocks[k];
-    const RecoveryPatches patches(change.from(), b_old);
-    transfer_block({change.from(), b_old, change.x_from()}, old_store, old_store.committed(),
-                   {change.to(), soil_.blocks[k], change.x_to()}, store, store.committed(), {RecoveryRemap(), patches},
-                   receipt);
-  }
-}
-
 namespace {
 
 /// Restores the rest of the pore water's compression `before` [m3] by adding one pressure wherever the pressure is
@@ -171,7 +150,7 @@ void Ale::match_volume(const Ale& from, const State& before, const Constraints& 
   mesh_.scatter(x, to.coordinates);
 }
 
-MeshReceipt Ale::transfer_from(const Ale& from, const StateStore& old_store, const MeshChange& change,
+MeshReceipt Ale::transfer_from(const Ale& from, const StateStore& old_store, const MeshTransfer& transfer,
                                const Constraints& constraints, StateStore& store) const {
   MeshReceipt receipt;
   const State& old_state = old_store.committed();
@@ -179,8 +158,7 @@ MeshReceipt Ale::transfer_from(const Ale& from, const StateStore& old_store, con
   receipt.quality_before = lowest_quality(from.mesh_, from.mesh_.gather(old_state.coordinates));
   receipt.quality = lowest_quality(mesh_, mesh_.gather(to.coordinates));
   receipt.before = take_inventory(from.soil_, old_state);
-  transfer_nodes_from(old_state, change, to);
-  transfer_points_from(from, old_store, change, store, receipt);
+  transfer.transfer(old_store, old_state, store, to, receipt);
   if (!receipt.veto.empty()) return receipt;
   if (deck_.conserve) {
     keep_compression(receipt.before.compression, constraints, to);

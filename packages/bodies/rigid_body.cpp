@@ -190,8 +190,7 @@ void RigidBody::bind(const Space& space, int field, int index) {
 }
 
 void RigidBody::declare_state(StateStore& store) {
-  ArrayInfo info;
-  info.name = "body/" + name_ + "/motion";
+  ArrayInfo info = ArrayInfo::of_model("body/" + name_ + "/motion", {}).not_shown();
   for (int i = 0; i < dimension(); ++i)
     info.variables.push_back({std::string("displacement ") + axis_names[i], 1, "m"});
   for (int i = 0; i < dimension(); ++i) info.variables.push_back({std::string("velocity ") + axis_names[i], 1, "m/s"});
@@ -203,7 +202,7 @@ void RigidBody::declare_state(StateStore& store) {
       for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("arc ") + axis_names[i], 1, "m"});
   }
   array_ = store.find(info.name);
-  if (array_ < 0) array_ = store.declare(std::move(info), 1);
+  if (array_ < 0) array_ = store.declare(std::move(info));
 }
 
 bool RigidBody::set_motion(std::shared_ptr<const BodyMotion> motion) {

@@ -33,14 +33,6 @@ struct ContactContext {
   bool remeshed = false;
 };
 
-/// An array of a contact whose rows belong to points along its surface. Remeshing transfers it to the points of the new
-/// rows.
-struct SurfaceRows {
-  int array;
-  std::vector<Point> places;  // [m] by row
-  std::vector<double> areas;  // [m2] by row, of the part of the surface that the row stands for
-};
-
 /// Partners of a contact: the sides of one surface, and a body or the sides of another surface.
 struct ContactPartners {
   std::string surface;
@@ -52,7 +44,7 @@ struct ContactPartners {
 /// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact
 /// type is constructible from a ContactContext, reads its parameters, and binds to sets and bodies in check(); all
 /// collective, every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
-class Contact : public Term, public History, public Unilateral, public Transferred, public Reports {
+class Contact : public Term, public History, public Unilateral, public Reports {
  public:
   Role role() const override { return Role::contact; }
   virtual ContactPartners partners() const = 0;
@@ -64,9 +56,8 @@ class Contact : public Term, public History, public Unilateral, public Transferr
   virtual std::vector<double> nodal_shear(const State&) const { return {}; }
   /// Sets 1, by local node, on the sides where a penalty acts at some point. For preconditioners.
   virtual void mark_pressed(const State&, std::vector<char>&) const {}
-  /// Its arrays of rows with the points of the rows when the nodes are at x, except arrays that are the same on every
-  /// rank. Empty for a contact that cannot be transferred to another mesh.
-  virtual std::vector<SurfaceRows> surface_rows(const ConstCoordinateView&) const { return {}; }
+  /// Whether it can go on with a new mesh of its surfaces.
+  virtual bool can_be_remeshed() const { return true; }
 };
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;

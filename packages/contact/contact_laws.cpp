@@ -77,7 +77,7 @@ void ContactLaws::declare_state(const StateStore& store) {
   stress_.assign(space_->mesh().blocks().size(), {-1, 0});
   for (int handle = 0; handle < store.num_arrays(); ++handle) {
     const ArrayInfo& array = store.info(handle);
-    if (array.block >= 0 && array.variables.front().name == "effective stress")
+    if (array.on == ArrayInfo::On::points && array.variables.front().name == "effective stress")
       stress_[array.block] = {handle, array.points_per_element};
   }
   for (const auto& [handle, points] : stress_)

@@ -87,17 +87,6 @@ int ContactSurface::pressure_nodes(CellShape shape) const {
   return static_cast<int>(dofs(shape).extent(1)) - mesh_.dimension() * num_nodes(shape);
 }
 
-std::vector<long long> ContactSurface::row_ids(const std::function<int(std::size_t side)>& rows) const {
-  constexpr long long most_rows = 64, most_sides = 6;
-  std::vector<long long> ids;
-  for (std::size_t s = 0; s < sides_.size(); ++s) {
-    const long long element = mesh_.blocks()[sides_[s].block].global_ids[sides_[s].element];
-    const long long side = element * most_sides + sides_[s].side;
-    for (int row = 0; row < rows(s); ++row) ids.push_back(side * most_rows + row);
-  }
-  return ids;
-}
-
 double ContactSurface::shortest(const ConstCoordinateView& x) const {
   double local = 1e300, global = 0;
   for (const SurfaceSide& side : sides_) local = std::min(local, edges(side, x).first);
@@ -118,15 +107,6 @@ std::vector<double> ContactSurface::mean(std::vector<double> weighted, std::vect
   for (std::size_t node = 0; node < weighted.size(); ++node)
     weighted[node] = weights[node] > 0 ? weighted[node] / weights[node] : 0.0;
   return weighted;
-}
-
-int declare_rows(StateStore& store, const std::string& name, std::vector<StateVariable> variables,
-                 std::vector<long long> ids, bool shares) {
-  ArrayInfo info{name, std::move(variables)};
-  const int rows = shares ? 1 : static_cast<int>(ids.size());
-  info.ids = std::move(ids);
-  info.shares = shares;
-  return store.declare(std::move(info), rows);
 }
 
 }  // namespace mudline

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -38,9 +37,6 @@ class ContactSurface {
   /// How many of the first nodes of a side of a shape have their pore pressure in its dofs.
   int pressure_nodes(CellShape shape) const;
 
-  /// Ids of rows that are stored side after side, `rows` of each (less than 64); see ArrayInfo.
-  std::vector<long long> row_ids(const std::function<int(std::size_t side)>& rows) const;
-
   /// Shortest and longest edge of a side, between its corners [m], over all ranks. Collective.
   double shortest(const ConstCoordinateView& x) const;
   double longest(const ConstCoordinateView& x) const;
@@ -59,10 +55,5 @@ class ContactSurface {
 
 /// Shortest and longest edge of one side [m].
 std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateView& x);
-
-/// Declares an array of rows with these ids and returns its handle. `shares`: the array has one row, and every rank
-/// holds its share of the sum.
-int declare_rows(StateStore& store, const std::string& name, std::vector<StateVariable> variables,
-                 std::vector<long long> ids, bool shares = false);
 
 }  // namespace mudline

@@ -119,10 +119,9 @@ int* DeformableTarget::write_dofs(int piece, int* to) const {
 }
 
 std::vector<StateVariable> DeformableTarget::columns() const {
-  std::vector<StateVariable> result = {{"piece", 1, "-"}, {"place 1", 1, "-"}};
-  if (axes_ == 3)
-    result.insert(result.end(),
-                  {{"place 2", 1, "-"}, {"normal x", 1, "-"}, {"normal y", 1, "-"}, {"normal z", 1, "-"}});
+  std::vector<StateVariable> result;
+  for (const char* name : {"piece", "place 1", "place 2", "normal x", "normal y", "normal z"})
+    if (axes_ == 3 || result.size() < 2) result.push_back({name, 1, "-", Transfer::nearest});
   return result;
 }
 

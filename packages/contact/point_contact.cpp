@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "contact/conjugate_position.hpp"
-#include "contact/convection.hpp"
 #include "tensor/midpoint_rule.hpp"
 
 namespace mudline {
@@ -36,6 +34,9 @@ void PointContact::make_points(const std::string& surface, ContactPoints kind, i
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
+  places_ = std::make_shared<SurfacePoints>(
+      surface_->mesh(), surface, kind == ContactPoints::nodes ? SurfacePoints::At::nodes : SurfacePoints::At::gauss,
+      quadrature_degree);
   rules_.clear();
   for (CellShape shape : surface_->shapes()) rules_.emplace(shape, ContactRule(kind, shape, quadrature_degree));
   first_row_.assign(1, 0);
@@ -44,13 +45,12 @@ void PointContact::make_points(const std::string& surface, ContactPoints kind, i
 
 void PointContact::declare_points(StateStore& store) {
   laws_.declare_state(store);
-  const auto ids = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
-  rows_.declare_state(store, name() + "/", ids, axes(), target_->columns(), laws_.friction() != nullptr,
+  const std::string prefix = name() + "/";
+  rows_.declare_state(store, prefix, places_, axes(), target_->columns(), laws_.friction() != nullptr,
                       enforcement_.augmented());
-  if (parts_.drainage.has_film()) parts_.drainage.film.declare_state(store, name() + "/", ids, axes());
-  parts_.initial_gap.declare_state(store, name() + "/", ids);
-  penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
-                            surface_->row_ids([](std::size_t) { return 1; }));
+  if (parts_.drainage.has_film()) parts_.drainage.film.declare_state(store, prefix, places_, axes());
+  parts_.initial_gap.declare_state(store, prefix, places_);
+  penalties_ = enforcement_.declare_penalties(store, prefix, surface_->mesh(), set_);
 }
 
 void PointContact::begin_parts(const StepView& view) {
@@ -519,50 +519,6 @@ void PointContact::report_parts(const State& state, double sign, Report& values)
   values[name() + "/film water"] = {"m3", all[0]};
   values[name() + "/film vapour"] = {"m3", all[1]};
   for (int i = 0; i < axes(); ++i) values[name() + "/film force " + axis_names[i]] = {"N", sign * all[2 + i]};
-}
-
-void PointContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // gaps and pressures are evaluated again at the new positions; the shear stress, the path slid, multipliers and
-  // initial gaps are history and are convected along the side, see SideShifts
-  std::vector<std::pair<int, int>> convected = rows_.convected();
-  if (parts_.drainage.has_film()) convected.emplace_back(parts_.drainage.film.array(), WaterFilm::vapour_column);
-  if (parts_.initial_gap.adjusts()) convected.emplace_back(parts_.initial_gap.array(), 0);
-  convect_rows(sides(), rules_, x_old, committed, convected);
-  if (!enforcement_.augmented()) return;
-  for (int row = 0; row < rows(); ++row) {
-    double& normal = rows_.normal_multiplier(committed, row);
-    normal = std::max(normal, 0.0);
-  }
-}
-
-void PointContact::take_evaluated(const State& evaluated, State& committed) { rows_.copy(evaluated, committed); }
-
-std::vector<SurfaceRows> PointContact::surface_rows(const ConstCoordinateView& x) const {
-  SurfaceRows of_points{}, of_sides{};
-  for (const SurfaceSide& side : sides()) {
-    const SideCoordinates at = side_coordinates(side, x);
-    double area[max_contact_points] = {};
-    contact_areas(rule(side), at, context_.space.mesh().geometry(), area);
-    for (int c = 0; c < rule(side).points; ++c) {
-      of_points.places.push_back(rule(side).place(c, at));
-      of_points.areas.push_back(area[c]);
-    }
-    Point centre{};
-    const int corners = axes() == 3 ? num_corners(side.shape) : 2;
-    for (int c = 0; c < corners; ++c) centre += 1.0 / corners * at[c];
-    of_sides.places.push_back(centre);
-    of_sides.areas.push_back(std::accumulate(area, area + rule(side).points, 0.0));
-  }
-  std::vector<SurfaceRows> result;
-  const auto add = [&](int array, SurfaceRows rows) {
-    rows.array = array;
-    result.push_back(std::move(rows));
-  };
-  add(penalties_, of_sides);
-  for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(),
-                    parts_.drainage.has_film() ? parts_.drainage.film.array() : -1, parts_.initial_gap.array()})
-    if (array >= 0) add(array, of_points);
-  return result;
 }
 
 std::vector<double> PointContact::nodal_mean(const std::function<double(int row)>& quantity) const {

@@ -19,6 +19,7 @@
 #include "contact/uzawa.hpp"
 #include "framework/closed_sides.hpp"
 #include "framework/first_act.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -64,9 +65,6 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   void close(const State& committed, ClosedSides& closed) const override;
   void first_act(State& committed) override;
   Augmentation augment(const StepView& view, int count) override;
-  void relocate(const ConstCoordinateView& x_old, State& committed) override;
-  void take_evaluated(const State& evaluated, State& committed) override;
-  std::vector<SurfaceRows> surface_rows(const ConstCoordinateView& x) const override;
   std::vector<double> nodal_pressure(const State& state) const override;
   std::vector<double> nodal_shear(const State& state) const override;
 
@@ -119,10 +117,11 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   std::string name_;
   int displacement_ = -1, pressure_ = -1, temperature_ = -1;  // fields
   std::unique_ptr<ContactSurface> surface_;
-  std::unique_ptr<LeakySurface> leak_;      // null unless leaky
-  std::map<CellShape, ContactRule> rules_;  // of the sides
-  std::vector<int> first_row_;              // (side) one more: number of rows
-  double gap_tolerance_ = 0;                // [m]
+  std::unique_ptr<LeakySurface> leak_;           // null unless leaky
+  std::map<CellShape, ContactRule> rules_;       // of the sides
+  std::vector<int> first_row_;                   // (side) one more: number of rows
+  std::shared_ptr<const SurfacePoints> places_;  // of the rows
+  double gap_tolerance_ = 0;                     // [m]
   PointRows rows_;
   int penalties_ = -1;  // state handle
 

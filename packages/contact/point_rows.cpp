@@ -1,6 +1,6 @@
 #include "contact/point_rows.hpp"
 
-#include "contact/contact_surface.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -8,33 +8,37 @@ namespace {
 
 using Columns = std::vector<StateVariable>;
 
-void add_components(Columns& to, const std::string& name, int components, const std::string& unit) {
-  for (int i = 0; i < components; ++i) to.push_back({components == 1 ? name : name + " " + axis_names[i], 1, unit});
+void add_components(Columns& to, const std::string& name, int components, const std::string& unit,
+                    Transfer transfer = Transfer::value) {
+  for (int i = 0; i < components; ++i)
+    to.push_back({components == 1 ? name : name + " " + axis_names[i], 1, unit, transfer});
 }
 
 }  // namespace
 
-void PointRows::declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes,
+void PointRows::declare_state(StateStore& store, const std::string& prefix,
+                              const std::shared_ptr<const SurfacePoints>& at, int axes,
                               const std::vector<StateVariable>& more, bool friction, bool multipliers) {
   axes_ = axes;
   shears_ = axes == 2 ? 1 : 3;
   more_ = 4 + axes;
-  Columns points = {{"gap", 1, "m"}, {"pressure", 1, "Pa"}, {"active", 1, "-"}};
-  add_components(points, "force", axes_, "N");
-  points.push_back({"area", 1, "m2"});
+  Columns points = {{"gap", 1, "m"}, {"pressure", 1, "Pa"}, {"active", 1, "-", Transfer::nearest}};
+  add_components(points, "force", axes_, "N", Transfer::total);
+  points.push_back({"area", 1, "m2", Transfer::total});
   points.insert(points.end(), more.begin(), more.end());
-  points_ = declare_rows(store, prefix + "points", points, ids);
+  points_ = store.declare(ArrayInfo::on_surface(prefix + "points", points, at).then_evaluated().not_shown());
   if (multipliers) {
-    Columns columns = {{"normal", 1, "Pa"}};
+    Columns columns = {{"normal", 1, "Pa", Transfer::value, 0.0}};
     add_components(columns, "shear", shears_, "Pa");
-    multipliers_ = declare_rows(store, prefix + "multipliers", columns, ids);
+    multipliers_ = store.declare(ArrayInfo::on_surface(prefix + "multipliers", columns, at).not_shown());
   }
   if (!friction) return;
   Columns columns;
   add_components(columns, "shear", shears_, "Pa");
-  columns.insert(columns.end(), {{"slip", 1, "m"}, {"dissipated", 1, "J"}, {"slides", 1, "-"}});
-  add_components(columns, "force", axes_, "N");
-  frictions_ = declare_rows(store, prefix + "friction", columns, ids);
+  columns.insert(columns.end(),
+                 {{"slip", 1, "m"}, {"dissipated", 1, "J", Transfer::total}, {"slides", 1, "-", Transfer::nearest}});
+  add_components(columns, "force", axes_, "N", Transfer::total);
+  frictions_ = store.declare(ArrayInfo::on_surface(prefix + "friction", columns, at).then_evaluated().not_shown());
 }
 
 Point PointRows::vector(const PointView& rows, int row, int first, int components) {
@@ -63,11 +67,6 @@ void PointRows::write(const State& trial, int row, const ContactPoint& point) co
   put(frictions, row, shears_ + 3, axes_, point.friction);
 }
 
-void PointRows::copy(const State& from, const State& to) const {
-  Kokkos::deep_copy(to.arrays[points_], from.arrays[points_]);
-  if (frictions_ >= 0) Kokkos::deep_copy(to.arrays[frictions_], from.arrays[frictions_]);
-}
-
 ShearState PointRows::shear(const State& state, int row) const {
   if (frictions_ < 0) return {};
   const PointView& rows = state.arrays[frictions_];
@@ -80,15 +79,6 @@ bool PointRows::sticks(const State& state, int row) const {
 
 Point PointRows::friction(const State& state, int row) const {
   return frictions_ < 0 ? Point{} : vector(state.arrays[frictions_], row, shears_ + 3, axes_);
-}
-
-std::vector<std::pair<int, int>> PointRows::convected() const {
-  std::vector<std::pair<int, int>> result;
-  if (frictions_ >= 0)
-    for (int column = 0; column <= shears_; ++column) result.emplace_back(frictions_, column);
-  if (multipliers_ >= 0)
-    for (int column = 0; column <= shears_; ++column) result.emplace_back(multipliers_, column);
-  return result;
 }
 
 }  // namespace mudline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,10 @@ namespace mudline {
 class PointRows {
  public:
   /// `more`: further columns of the points, which a target needs.
-  void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes,
-                     const std::vector<StateVariable>& more, bool friction, bool multipliers);
+  void declare_state(StateStore& store, const std::string& prefix, const std::shared_ptr<const SurfacePoints>& at,
+                     int axes, const std::vector<StateVariable>& more, bool friction, bool multipliers);
 
   void write(const State& trial, int row, const ContactPoint& point) const;
-  /// Copies the points from one state to another, without their multipliers.
-  void copy(const State& from, const State& to) const;
 
   double gap(const State& state, int row) const { return state.arrays[points_](row, 0); }
   double pressure(const State& state, int row) const { return state.arrays[points_](row, 1); }
@@ -44,15 +43,10 @@ class PointRows {
     put(state.arrays[multipliers_], row, 1, shears_, stress);
   }
 
-  /// Handles of the arrays; -1: there is none.
+  /// Handle of the array of the points.
   int points() const { return points_; }
-  int frictions() const { return frictions_; }
-  int multipliers() const { return multipliers_; }
   /// Components of a shear stress, the first columns of the array of friction.
   int shears() const { return shears_; }
-  /// Array and column of what is history along the surface, and is convected with it: shear stress, path slid,
-  /// multipliers.
-  std::vector<std::pair<int, int>> convected() const;
 
  private:
   static Point vector(const PointView& rows, int row, int first, int components);

@@ -62,7 +62,7 @@ void PointwisePairContact::bind(const Section& section, std::unique_ptr<Deformab
 
 void PointwisePairContact::declare_state(StateStore& store) {
   declare_points(store);
-  if (deck_.damping > 0) heat_ = declare_rows(store, name() + "/damping", {{"heat", 1, "J"}}, {}, true);
+  if (deck_.damping > 0) heat_ = store.declare(ArrayInfo::of_sum(name() + "/damping", {{"heat", 1, "J"}}).not_shown());
 }
 
 void PointwisePairContact::measure_points(const ConstCoordinateView& x) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/log.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -35,6 +36,12 @@ void EnforcementParameters::check(const Section& section) const {
   for (const char* entry : {"gap tolerance", "most augmentations"})
     if (section.has_parameter(entry))
       section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
+}
+
+int EnforcementParameters::declare_penalties(StateStore& store, const std::string& prefix, const Mesh& mesh,
+                                             const std::string& surface) {
+  const auto sides = std::make_shared<SurfacePoints>(mesh, surface, SurfacePoints::At::centre, 2);
+  return store.declare(ArrayInfo::on_surface(prefix + "penalty", {{"penalty", 1, "Pa/m"}}, sides).not_shown());
 }
 
 void EnforcementParameters::start_penalties(const ContactSurface& surface,

@@ -21,6 +21,9 @@ struct EnforcementParameters {
   int most_augmentations = 50;
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   void parameters(Parameters& p);
+  /// Declares the penalties of a surface, "<prefix>penalty" with a row per side; returns the handle.
+  static int declare_penalties(StateStore& store, const std::string& prefix, const Mesh& mesh,
+                               const std::string& surface);
   /// Fills the rows (side, 0) that have no penalty yet [Pa/m]. A penalty stays as it was when the contact first started
   /// a step. `stiffness`: of the soil by block and element [Pa].
   void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,

@@ -46,12 +46,12 @@ State room_for(const State& like) {
 
 StateStore::StateStore(const Space& space) : committed_(make_state(space)), trial_(make_state(space)) {}
 
-int StateStore::declare(ArrayInfo info, int rows) {
+int StateStore::declare(ArrayInfo info) {
   if (find(info.name) >= 0) throw std::logic_error("state array '" + info.name + "' is declared twice");
-  int columns = 0;
-  for (const StateVariable& variable : info.variables) columns += variable.components;
-  committed_.arrays.emplace_back(info.name, rows, columns);
-  trial_.arrays.emplace_back(info.name, rows, columns);
+  if (const std::string problem = info.problem(); !problem.empty())
+    throw std::logic_error("state array '" + info.name + "': " + problem);
+  committed_.arrays.emplace_back(info.name, info.rows, info.columns());
+  trial_.arrays.emplace_back(info.name, info.rows, info.columns());
   info_.push_back(std::move(info));
   return num_arrays() - 1;
 }
@@ -77,6 +77,11 @@ void StateStore::keep() {
 }
 
 void StateStore::restore() { copy(kept_, committed_); }
+
+void StateStore::take_evaluated() {
+  for (int handle = 0; handle < num_arrays(); ++handle)
+    if (info_[handle].evaluated) Kokkos::deep_copy(committed_.arrays[handle], trial_.arrays[handle]);
+}
 
 void StateStore::accept() { std::swap(committed_, trial_); }
 

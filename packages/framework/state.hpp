@@ -2,6 +2,7 @@
 
 #include <Kokkos_Core.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,25 +33,63 @@ struct State {
   std::vector<PointView> arrays;          // declared by terms: point state, contact history
 };
 
-/// Description of one declared array, for output, checkpoint and transfer.
+class SurfacePoints;
+
+/// Description of one declared array: what its rows belong to and how its variables are transferred. Mesh motion,
+/// remeshing, checkpoint and output read it, so that whoever declares an array does nothing for these.
+///
+/// Rows at points, on surfaces and at nodes have places. On another mesh each variable follows its rule (see Transfer)
+/// within its bounds. Where the mesh moves, a row keeps its part of a total, and the nearest row is looked for among
+/// those of the same element, side, or element around the node. `mass` is for rows at points. A total at nodes stays
+/// with its nodes, so that a remeshing that would move one of them is refused. Rows without a place are copied.
 struct ArrayInfo {
-  std::string name;                      // "soil/effective stress", "contact/cone/active"
+  enum class On {
+    model,    // the rows belong to no place and are the same on all ranks
+    sum,      // one row of sums over the mesh, of which every rank has its share
+    points,   // quadrature points of an element block, element after element
+    surface,  // points on the sides of a side set, see SurfacePoints
+    nodes     // nodes that this rank owns, of a set or of the whole mesh
+  };
+  std::string name;                      // "soil/effective stress", "contact/cone/points"
   std::vector<StateVariable> variables;  // split of the columns
-  int block = -1;                        // element block whose points are the rows; -1: not point data
-  int points_per_element = 0;
-  /// Ids of the rows, independent of the number of ranks, for a restart on another number of them. Empty: the rows are
-  /// the points of `block` or, without a block, rows that every rank has alike.
+  On on = On::model;
+  int rows = 1;                                       // on this rank
+  int block = -1, points_per_element = 0;             // of points
+  std::shared_ptr<const SurfacePoints> surface = {};  // of a surface
+  std::vector<int> nodes = {};                        // local numbers, by row
+  /// Ids of the rows, independent of the number of ranks, for a restart on another number of them. Empty for points and
+  /// sums; the rows of a model may go without.
   std::vector<long long> ids = {};
-  bool shares = false;  // rows of the same id on several ranks are added up
+  /// After a transfer the array takes what its terms write when the state is evaluated at rest: stresses returned to
+  /// the yield surface, gaps.
+  bool evaluated = false;
+  bool hidden = false;  // it is not written to the results: their author writes it in another form, or not at all
+
+  static ArrayInfo of_model(std::string name, std::vector<StateVariable> variables, int rows = 1);
+  static ArrayInfo of_sum(std::string name, std::vector<StateVariable> variables);
+  static ArrayInfo at_points(std::string name, std::vector<StateVariable> variables, const Mesh& mesh, int block,
+                             int points_per_element);
+  static ArrayInfo on_surface(std::string name, std::vector<StateVariable> variables,
+                              std::shared_ptr<const SurfacePoints> points);
+  /// `set`: name of a side or node set; "": all nodes.
+  static ArrayInfo at_nodes(std::string name, std::vector<StateVariable> variables, const Mesh& mesh,
+                            const std::string& set = "");
+  /// The same array with the flag `evaluated` or `hidden`.
+  ArrayInfo&& then_evaluated() &&;
+  ArrayInfo&& not_shown() &&;
+
+  int columns() const;
+  /// Why this description contradicts itself; "": it does not.
+  std::string problem() const;
 };
 
 /// Owns the committed and the trial state. begin() copies, accept() swaps; rejecting a step needs no call.
 class StateStore {
  public:
   explicit StateStore(const Space& space);
-  /// Adds an array of `rows` rows to both states before the first step; returns its handle. std::logic_error if the
-  /// name is already declared.
-  int declare(ArrayInfo info, int rows);
+  /// Adds an array to both states before the first step; returns its handle. std::logic_error if the name is already
+  /// declared, or if the description contradicts itself.
+  int declare(ArrayInfo info);
   int find(const std::string& name) const;  // handle or -1
   int num_arrays() const { return static_cast<int>(info_.size()); }
   const ArrayInfo& info(int handle) const { return info_[handle]; }
@@ -71,6 +110,9 @@ class StateStore {
   /// refused after acceptance.
   void keep();
   void restore();
+  /// Copies the arrays that are evaluated after a transfer from the trial state, an evaluation of the committed state
+  /// at rest, to the committed one.
+  void take_evaluated();
 
  private:
   std::vector<ArrayInfo> info_;

@@ -57,18 +57,6 @@ class Unilateral {
   virtual double step_limit(const State& committed, double dt) const = 0;
 };
 
-/// A term with state that must follow when the mesh is moved under the committed state (ALE).
-class Transferred {
- public:
-  virtual ~Transferred() = default;
-  /// Transfers the term's own arrays, except the point data of the soil, to the moved mesh. x_old: coordinates before
-  /// [m].
-  virtual void relocate(const ConstCoordinateView& x_old, State& committed) {}
-  /// Copies the results of an evaluation of the relocated state at rest into the committed state: stresses returned to
-  /// the yield surface, gaps.
-  virtual void take_evaluated(const State& evaluated, State& committed) = 0;
-};
-
 /// A term that reports more than its forces.
 class Reports {
  public:

@@ -135,7 +135,6 @@ void Stepper::activate(const std::vector<Term*>& active) {
   active_ = active;
   unilateral_ = faces<Unilateral>(active_);
   foresees_ = faces<Foresees>(active_);
-  transferred_ = faces<Transferred>(active_);
   reports_ = faces<Reports>(active_);
   force_.clear();
   for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", total_.extent(0));

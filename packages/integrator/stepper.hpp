@@ -129,7 +129,6 @@ class Stepper : public NonlinearProblem {
   // Results for the balances after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
   const std::vector<Term*>& active() const { return active_; }
-  const std::vector<Transferred*>& transferred() const { return transferred_; }
   const std::vector<Reports*>& reports() const { return reports_; }
   /// Largest step that the active terms accept from the committed state, at most `dt` [s]. Collective.
   double step_limit(double dt) const;
@@ -220,7 +219,6 @@ class Stepper : public NonlinearProblem {
   std::vector<History*> history_;        // by slot
   std::vector<Unilateral*> unilateral_;  // faces of the active terms, like the next three
   std::vector<Foresees*> foresees_;
-  std::vector<Transferred*> transferred_;
   std::vector<Reports*> reports_;
   LinearSolver& solver_;
   std::function<BlockData(const StepView&)> block_data_;

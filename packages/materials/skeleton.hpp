@@ -12,15 +12,20 @@
 
 namespace mudline {
 
-/// Treatment of a state variable in a transfer to another mesh.
-enum class RemapRule { value, mass, tensor };
+/// How a variable goes to another mesh, or to the same mesh after it has moved.
+enum class Transfer {
+  value,    // as a field: linear ones are exact, and values stay near those around
+  mass,     // void ratio of quadrature points: as a field, then the grains that were lost by it are put back
+  total,    // every row holds a part of a sum, and the sum is kept
+  nearest,  // that of the nearest old row: flags, numbers of things
+};
 
-/// A named state variable of a law, for transfer and output.
+/// A named state variable of a law or of another array, for transfer and output.
 struct StateVariable {
   std::string name;
-  int components;  // 1, or 6 for a symmetric tensor (xx yy zz yz xz xy) that rotates with the material
+  int components;  // of a law 1, or 6 for a symmetric tensor (xx yy zz yz xz xy) that rotates with the material
   std::string unit;
-  RemapRule remap = RemapRule::value;
+  Transfer transfer = Transfer::value;
   double low = -1e300, high = 1e300;  // physical bounds
   bool in_fixed_axes = false;         // a component along fixed axes, which is not invariant under rotation
 };

@@ -123,8 +123,7 @@ ErrorEstimator::ErrorEstimator(const Soil& soil, StateStore& store)
     regions[mesh_.blocks()[b.block].region].push_back(static_cast<int>(k));
     const std::string name = "effective stress at the start";
     start_.push_back(store.declare(
-        {name + "#" + std::to_string(b.block), {{name, tensor, "Pa", RemapRule::tensor}}, b.block, b.points},
-        b.elements * b.points));
+        ArrayInfo::at_points(name + "#" + std::to_string(b.block), {{name, tensor, "Pa"}}, mesh_, b.block, b.points)));
   }
   for (const auto& [name, region] : regions) regions_.push_back(region);
 }

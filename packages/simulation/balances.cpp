@@ -20,7 +20,7 @@ bool exchanges(const Term& term) { return term.role() == Role::exchange || term.
 }  // namespace
 
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
-  ArrayInfo info{"balance", {{"value", 1, "SI"}}};
+  ArrayInfo info = ArrayInfo::of_model("balance", {{"value", 1, "SI"}}).not_shown();
   for (int row = 0; row < first_term; ++row) info.ids.push_back(row);
   for (const Term* term : terms_)
     info.ids.push_back(static_cast<long long>(fingerprint(term->name().data(), term->name().size())));
@@ -38,8 +38,8 @@ Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
     for (const std::string& name : counted)
       info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
   }
-  const int rows = static_cast<int>(info.ids.size());
-  handle_ = model.store().declare(std::move(info), rows);
+  info.rows = static_cast<int>(info.ids.size());
+  handle_ = model.store().declare(std::move(info));
 }
 
 int Balances::row_of(const Term* term) const {

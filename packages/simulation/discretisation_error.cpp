@@ -36,14 +36,14 @@ DiscretisationError::DiscretisationError(Model& model, double target)
   for (const auto& condition : model.conditions())
     if (condition->drives())
       motions_.push_back({"condition/" + condition->name, nullptr, condition.get(), {"reaction/" + condition->name}});
-  ArrayInfo info{"discretisation error", {{"value", 1, "SI"}}};
+  ArrayInfo info = ArrayInfo::of_model("discretisation error", {{"value", 1, "SI"}}).not_shown();
   for (const Motion& motion : motions_)
     for (const char* row : {" share", " fastest"}) {
       const std::string name = motion.name + row;
       info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
     }
-  const int count = static_cast<int>(info.ids.size());
-  handle_ = model.store().declare(std::move(info), count);
+  info.rows = static_cast<int>(info.ids.size());
+  handle_ = model.store().declare(std::move(info));
 }
 
 void DiscretisationError::start() { estimator_.start(model_.store().committed()); }

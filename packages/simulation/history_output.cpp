@@ -4,6 +4,7 @@
 #include "simulation/error_output.hpp"
 #include "simulation/excess_pressure.hpp"
 #include "simulation/output/collective.hpp"
+#include "simulation/state_fields.hpp"
 
 namespace mudline {
 
@@ -49,6 +50,7 @@ void HistoryOutput::write_due_row(const RunView& run) {
            run.state, [&] { return run.pressure.values(); }, error))
     row.push_back(value);
   for (const HistoryValue& value : run.balances.values()) row.push_back(value);
+  for (const HistoryValue& value : state_sums(run.model)) row.push_back(value);
   file_->write(run.state.time, row);
 }
 

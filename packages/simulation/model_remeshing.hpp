@@ -6,13 +6,13 @@
 
 namespace mudline {
 
-/// Why the state of this model cannot be transferred to another mesh of the same regions; "" where it can. Collective.
+/// Why a contact of this model cannot go on with another mesh of the same regions; "" where all can.
 std::string remeshing_problem(const Model& model);
 
 /// Result of the transfer of a model's state to a model on another mesh.
 struct StateTransfer {
-  MeshReceipt receipt;                       // where `moved` is false, the new model must not be used
-  std::unique_ptr<const MeshChange> change;  // between the two models
+  MeshReceipt receipt;                           // where `moved` is false, the new model must not be used
+  std::unique_ptr<const MeshTransfer> transfer;  // between the two models
 };
 
 /// Transfers the committed state of `from` to `to`, a model of the same deck on a remeshed domain, and activates the

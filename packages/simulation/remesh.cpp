@@ -51,13 +51,13 @@ std::string Run::transfer_to(std::unique_ptr<Model> next) {
   auto pressures = std::make_unique<ExcessPressure>(*next);
   tell([&](Observer& observer) { observer.declare_state(*next); });
   const std::vector<double> conserved = balances_->conserved();
-  const auto [receipt, change] = transfer_from(*model_, stage(), *next);
+  const auto [receipt, between] = transfer_from(*model_, stage(), *next);
   if (!receipt.moved) return receipt.veto;
   balances->add_remap(receipt);
   balances->add_remap_of_conserved(conserved);
   const int pressure = model_->space().find("pore pressure");
   const NodalView reference("reference pressure", next->store().committed().value.extent(0));
-  if (pressure >= 0) change->transfer(pressure, pressure_->reference(), reference);
+  if (pressure >= 0) between->transfer_field(pressure, pressure_->reference(), reference);
   const long long elements = model_->mesh().num_global_elements();
   const std::unique_ptr<Model> old =
       std::exchange(model_, std::move(next));  // observers refer to it until they are told

@@ -70,8 +70,8 @@ StateArray nodal(const std::string& name, const NodalView& view, const Rows& row
 }
 
 Rows rows_of(const Mesh& mesh, const ArrayInfo& info) {
-  Rows rows{"ids/array/" + info.name, info.ids, info.shares, mesh.comm()->getRank() == 0 ? 1 : 0};
-  if (info.block >= 0)
+  Rows rows{"ids/array/" + info.name, info.ids, info.on == ArrayInfo::On::sum, mesh.comm()->getRank() == 0 ? 1 : 0};
+  if (info.on == ArrayInfo::On::points)
     for (long long element : mesh.blocks()[info.block].global_ids)
       for (int q = 0; q < info.points_per_element; ++q) rows.ids.push_back(element * info.points_per_element + q);
   return rows;

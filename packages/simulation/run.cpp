@@ -83,6 +83,9 @@ void Run::take_model(std::unique_ptr<Model> model) {
   balances_ = std::make_unique<Balances>(*model_);
   pressure_ = std::make_unique<ExcessPressure>(*model_);
   tell([this](Observer& observer) { observer.declare_state(*model_); });
+  if (const Ale* const ale = model_->ale())
+    if (const std::string problem = ale->problem(model_->store()); !problem.empty())
+      throw InputError("mesh motion: " + problem);
 }
 
 RunView Run::view(bool resumed) const {
@@ -315,12 +318,9 @@ std::string Run::relocate_mesh() {
   const std::vector<double> conserved = balances_->conserved();
   MeshReceipt receipt = model_->ale()->relocate(store, model_->stepper().constraints());
   if (!receipt.moved) return receipt.veto;
-  // the trial state still has the old mesh
-  for (Transferred* term : model_->stepper().transferred())
-    term->relocate(store.trial().coordinates, store.committed());
   if (!model_->stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_->stepper().hints();
   receipt.yield_drift = yield_drift(*model_->soil(), store.committed(), store.trial());
-  for (Transferred* term : model_->stepper().transferred()) term->take_evaluated(store.trial(), store.committed());
+  store.take_evaluated();
   balances_->add_remap(receipt);
   balances_->add_remap_of_conserved(conserved);
   transfers_.tell(*model_, receipt, "    mesh moved: " + told(receipt.largest_motion, "Courant %.2f, "), log::detail);

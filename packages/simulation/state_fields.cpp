@@ -5,6 +5,10 @@
 #include <map>
 #include <set>
 
+#include "framework/nodal_exchange.hpp"
+#include "framework/surface_points.hpp"
+#include "integrator/overlap.hpp"
+
 namespace mudline {
 
 namespace {
@@ -36,6 +40,8 @@ std::vector<double> on_all_nodes(const Model& model, int field, const ConstNodal
   }
   return result;
 }
+
+bool shown(const ArrayInfo& info, ArrayInfo::On on) { return info.on == on && !info.hidden; }
 
 struct PointVariables {
   int material;  // whose points have these variables; -1: all points
@@ -81,7 +87,7 @@ std::vector<OutputField> point_means(const Model& model, const std::set<int>& wi
   const StateStore& store = model.store();
   std::map<std::string, OutputField> fields;
   for (int handle = 0; handle < store.num_arrays(); ++handle)
-    if (store.info(handle).block >= 0 && without.count(handle) == 0)
+    if (shown(store.info(handle), ArrayInfo::On::points) && without.count(handle) == 0)
       for (const PointVariables& of : variables_of(model, handle))
         for (const StateVariable& v : of.variables)
           fields.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
@@ -91,7 +97,8 @@ std::vector<OutputField> point_means(const Model& model, const std::set<int>& wi
       const std::size_t first = field.values.size();
       field.values.resize(first + static_cast<std::size_t>(blocks[block].num_elements) * field.components, 0.0);
       for (int handle = 0; handle < store.num_arrays(); ++handle)
-        if (store.info(handle).block == static_cast<int>(block) && without.count(handle) == 0)
+        if (shown(store.info(handle), ArrayInfo::On::points) && store.info(handle).block == static_cast<int>(block) &&
+            without.count(handle) == 0)
           add_means(model, handle, name, field.values.data() + first);
     }
   std::vector<OutputField> result;
@@ -123,6 +130,43 @@ std::vector<OutputField> layer_fields(const Model& model) {
 
 }  // namespace
 
+namespace {
+
+/// The arrays at nodes and on surfaces by node, "<array>/<variable>"; 0 where there is no row. Means over the sides
+/// around a node of their rows that are nearest to it.
+std::vector<OutputField> array_fields(const Model& model) {
+  const StateStore& store = model.store();
+  const NodalExchange exchange(model.mesh());
+  std::vector<OutputField> result;
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    const ArrayInfo& info = store.info(handle);
+    const bool at_nodes = shown(info, ArrayInfo::On::nodes);
+    if (!at_nodes && !shown(info, ArrayInfo::On::surface)) continue;
+    const PointView& rows = store.committed().arrays[handle];
+    int column = 0;
+    for (const StateVariable& variable : info.variables) {
+      const int owned = model.mesh().num_owned_nodes(), components = variable.components;
+      OutputField field{info.name + "/" + variable.name, variable.unit, components,
+                        std::vector<double>(static_cast<std::size_t>(owned) * components, 0.0)};
+      for (int c = 0; c < components; ++c, ++column) {
+        std::vector<double> sums(model.mesh().num_nodes(), 0.0), counts(sums);
+        for (std::size_t row = 0; row < info.nodes.size(); ++row) sums[info.nodes[row]] = rows(row, column);
+        if (!at_nodes) {
+          info.surface->add_at_nodes(rows, column, sums, counts);
+          exchange.sum_shared(sums);
+          exchange.sum_shared(counts);
+        }
+        for (int node = 0; node < owned; ++node)
+          field.values[node * components + c] = sums[node] / std::max(1.0, counts[node]);
+      }
+      result.push_back(std::move(field));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<OutputField> nodal_fields(const Model& model, const ExcessPressure& pressure) {
   const State& state = model.store().committed();
   const Space& space = model.space();
@@ -147,6 +191,25 @@ std::vector<OutputField> nodal_fields(const Model& model, const ExcessPressure& 
     if (shear.empty()) continue;
     shear.resize(model.mesh().num_owned_nodes());
     result.push_back({"contact shear " + name, "Pa", 1, shear});
+  }
+  for (OutputField& field : array_fields(model)) result.push_back(std::move(field));
+  return result;
+}
+
+std::vector<HistoryValue> state_sums(const Model& model) {
+  const StateStore& store = model.store();
+  std::vector<HistoryValue> result;
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    const ArrayInfo& info = store.info(handle);
+    const bool is_sum = shown(info, ArrayInfo::On::sum);
+    if (!is_sum && !(shown(info, ArrayInfo::On::model) && info.rows == 1)) continue;
+    int column = 0;
+    for (const StateVariable& variable : info.variables)
+      for (int c = 0; c < variable.components; ++c, ++column) {
+        const double here = store.committed().arrays[handle](0, column);
+        result.push_back({info.name + "/" + variable.name + (variable.components > 1 ? " " + std::to_string(c) : ""),
+                          variable.unit, is_sum ? sum_over_ranks(*model.mesh().comm(), here) : here});
+      }
   }
   return result;
 }

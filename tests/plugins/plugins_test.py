@@ -35,7 +35,7 @@ class Paint : public Term {
   Role role() const override { return Role::none; }
   void declare_state(StateStore& store) override {
     for (const SoilBlock& b : soil_->blocks)
-      handles_.push_back(store.declare({"tag", {{"origin", 1, "m"}}, b.block, b.points}, b.elements * b.points));
+      handles_.push_back(store.declare(ArrayInfo::at_points("tag", {{"origin", 1, "m"}}, space_.mesh(), b.block, b.points)));
   }
   int residual(const StepView& view, const ResidualView&) override {
     for (int h : handles_) Kokkos::deep_copy(view.trial->arrays[h], view.committed->arrays[h]);

@@ -59,7 +59,7 @@ struct Layers {
     block.made_of = {0, 1};
     soil.blocks = {block};
     table.columns = 6 + 2 + 1 + 1 + whole.dimension();
-    table.variables = {{"effective stress", 6, "Pa"},  {"void ratio", 1, "-", RemapRule::mass, -1.0},
+    table.variables = {{"effective stress", 6, "Pa"},  {"void ratio", 1, "-", Transfer::mass, -1.0},
                        {"initial void ratio", 1, "-"}, {"height", 1, "m"},
                        {"material", 1, "-"},           {"place at the start", whole.dimension(), "m"}};
   }

@@ -95,7 +95,7 @@ TEST(ConvectionRemap, PointsAtRestKeepTheirValuesToTheLastBit) {
 TEST(ConvectionRemap, BoundsHoldAndAStepMakesNoNewExtremum) {
   const auto mesh = box(CellShape::tri6, 8);
   Points points(*mesh);
-  points.variables = {{"f", 1, "-", RemapRule::value, 0.5, 10.0}};
+  points.variables = {{"f", 1, "-", Transfer::value, 0.5, 10.0}};
   std::vector<double> field =
       points.values([](double x, double y) { return x + 0.2 * y > 0.55 ? 1.0 : 0.0; }, points.start);
   for (double& value : field) value = std::max(value, 0.5);

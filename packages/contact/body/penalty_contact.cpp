@@ -165,7 +165,7 @@ void PenaltyContact::declare_state(StateStore& store) {
   declare_points(store);
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
   for (int i = 0; i < axes(); ++i) sums.push_back({std::string("damping ") + axis_names[i], 1, "N"});
-  work_ = declare_rows(store, name() + "/work", sums, {}, true);
+  work_ = store.declare(ArrayInfo::of_sum(name() + "/work", sums).not_shown());
 }
 
 void PenaltyContact::begin(const StepView& view) {

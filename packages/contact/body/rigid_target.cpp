@@ -175,8 +175,12 @@ int* RigidTarget::write_dofs(int, int* to) const {
 }
 
 std::vector<StateVariable> RigidTarget::columns() const {
-  if (body_->dimension() == 2) return {{"height", 1, "m"}, {"moment", 1, "N m"}};
-  return {{"height", 1, "m"}, {"moment x", 1, "N m"}, {"moment y", 1, "N m"}, {"moment z", 1, "N m"}};
+  std::vector<StateVariable> result = {{"height", 1, "m"}};
+  if (body_->dimension() == 2)
+    result.push_back({"moment", 1, "N m", Transfer::total});
+  else
+    for (const char* axis : axis_names) result.push_back({std::string("moment ") + axis, 1, "N m", Transfer::total});
+  return result;
 }
 
 void RigidTarget::write(const TargetPlace&, const ContactPoint& point, double* columns) const {

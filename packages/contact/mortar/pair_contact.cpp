@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/convection.hpp"
 #include "contact/two_surfaces.hpp"
+#include "framework/surface_points.hpp"
 #include "tensor/mat.hpp"
 
 namespace mudline {
@@ -47,15 +47,27 @@ std::array<double, 2> corner_values(const Mat<double, side_multipliers>& mass, c
 
 void PairContact::declare_state(StateStore& store) {
   laws_.declare_state(store);
-  const auto ids = slave_->row_ids([](std::size_t) { return side_multipliers; });
-  const std::vector<StateVariable> columns = {
-      {"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"deepest", 1, "m"},  {"force x", 1, "N"},
-      {"force y", 1, "N"}, {"slides", 1, "m"},    {"area", 1, "m2"},  {"misfit", 1, "N/m"}, {"stretch", 1, "N/m"}};
-  sides_ = declare_rows(store, name() + "/sides", columns, ids);
-  multipliers_ = declare_rows(store, name() + "/multipliers", {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}}, ids);
-  penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
-                            slave_->row_ids([](std::size_t) { return 1; }));
-  heat_ = declare_rows(store, name() + "/heat", {{"friction heat", 1, "J"}, {"damping heat", 1, "J"}}, {}, true);
+  const std::vector<StateVariable> columns = {{"gap", 1, "m"},
+                                              {"pressure", 1, "Pa"},
+                                              {"shear", 1, "Pa"},
+                                              {"deepest", 1, "m"},
+                                              {"force x", 1, "N", Transfer::total},
+                                              {"force y", 1, "N", Transfer::total},
+                                              {"slides", 1, "m", Transfer::total},
+                                              {"area", 1, "m2", Transfer::total},
+                                              {"misfit", 1, "N/m", Transfer::total},
+                                              {"stretch", 1, "N/m", Transfer::total}};
+  const auto corners =
+      std::make_shared<SurfacePoints>(slave_->mesh(), deck_.slave, SurfacePoints::At::corners, deck_.quadrature_degree);
+  const auto on_corners = [&](const std::string& what, const std::vector<StateVariable>& variables) {
+    return ArrayInfo::on_surface(name() + what, variables, corners).not_shown();
+  };
+  sides_ = store.declare(on_corners("/sides", columns).then_evaluated());
+  multipliers_ =
+      store.declare(on_corners("/multipliers", {{"normal", 1, "Pa", Transfer::value, 0.0}, {"shear", 1, "Pa"}}));
+  penalties_ = deck_.declare_penalties(store, name() + "/", slave_->mesh(), deck_.slave);
+  heat_ = store.declare(
+      ArrayInfo::of_sum(name() + "/heat", {{"friction heat", 1, "J"}, {"damping heat", 1, "J"}}).not_shown());
 }
 
 void PairContact::sparsity(Assembler& assembler) {
@@ -196,26 +208,6 @@ void PairContact::jacobian(const StepView& view, Assembler& assembler, double we
 
 double PairContact::step_limit(const State& committed, double) const {
   return closing_limit(context_.space, *slave_, master_->sides(), deck_.advance_limit, committed);
-}
-
-void PairContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // the fields that are linear along a side are history: the multipliers, and the shear stress at which friction
-  // continues
-  const PointView& multipliers = committed.arrays[multipliers_];
-  for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
-    SurfaceSide corners = slave_->sides()[s];
-    corners.count = side_multipliers;
-    const SideShifts shifts(corners, x_old, committed.coordinates);
-    const int first = side_multipliers * static_cast<int>(s);
-    shifts.convect(multipliers, first, 0);
-    shifts.convect(multipliers, first, 1);
-    shifts.convect(committed.arrays[sides_], first, column::shear);
-    for (int a = 0; a < side_multipliers; ++a) multipliers(first + a, 0) = std::max(multipliers(first + a, 0), 0.0);
-  }
-}
-
-void PairContact::take_evaluated(const State& evaluated, State& committed) {
-  Kokkos::deep_copy(committed.arrays[sides_], evaluated.arrays[sides_]);
 }
 
 void PairParameters::parameters(Parameters& p) {

@@ -62,8 +62,7 @@ class PairContact : public Contact {
   }
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
-  void relocate(const ConstCoordinateView& x_old, State& committed) override;
-  void take_evaluated(const State& evaluated, State& committed) override;
+  bool can_be_remeshed() const override { return false; }
   std::vector<double> nodal_pressure(const State& state) const override;
   std::vector<double> nodal_shear(const State& state) const override;
 

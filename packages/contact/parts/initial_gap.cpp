@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "contact/contact_surface.hpp"
 #include "core/log.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -28,8 +28,10 @@ void InitialGap::check(const Section& section) const {
                  "closing distance");
 }
 
-void InitialGap::declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids) {
-  if (adjusts()) array_ = declare_rows(store, prefix + "initial gap", {{"offset", 1, "m"}}, ids);
+void InitialGap::declare_state(StateStore& store, const std::string& prefix, std::shared_ptr<const SurfacePoints> at) {
+  if (!adjusts()) return;
+  array_ =
+      store.declare(ArrayInfo::on_surface(prefix + "initial gap", {{"offset", 1, "m"}}, std::move(at)).not_shown());
 }
 
 void FirstTouch::close(double gap, double pressure) {

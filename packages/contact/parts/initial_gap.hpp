@@ -21,11 +21,9 @@ class InitialGap {
   /// Farthest distance [m] of a point of a side with this longest edge [m] that is adjusted.
   double reach(double edge) const { return distance_ > 0 ? distance_ : 0.1 * edge; }
 
-  void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids);
+  void declare_state(StateStore& store, const std::string& prefix, std::shared_ptr<const SurfacePoints> at);
   double offset(const State& state, int row) const { return array_ < 0 ? 0.0 : state.arrays[array_](row, 0); }
   void set_offset(const State& state, int row, double offset) const { state.arrays[array_](row, 0) = offset; }
-  /// Handle of the array; -1: there is none.
-  int array() const { return array_; }
 
  private:
   enum class Start { as_placed, closed, in_situ_stress };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/contact_surface.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -10,6 +10,8 @@ namespace {
 
 /// [Pa] below cavitation over which all water of a film turns into vapour: half a hundredth of the atmosphere.
 constexpr double softness = 500;
+
+constexpr int vapour_column = 0;
 
 }  // namespace
 
@@ -27,12 +29,13 @@ void WaterFilm::refuse(const Section& section) {
     if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = film", entry);
 }
 
-void WaterFilm::declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids,
+void WaterFilm::declare_state(StateStore& store, const std::string& prefix, std::shared_ptr<const SurfacePoints> at,
                               int axes) {
   axes_ = axes;
-  std::vector<StateVariable> columns = {{"vapour", 1, "m"}, {"water volume", 1, "m3"}, {"vapour volume", 1, "m3"}};
-  for (int i = 0; i < axes; ++i) columns.push_back({std::string("force ") + axis_names[i], 1, "N"});
-  rows_ = declare_rows(store, prefix + "film", columns, ids);
+  std::vector<StateVariable> columns = {
+      {"vapour", 1, "m"}, {"water volume", 1, "m3", Transfer::total}, {"vapour volume", 1, "m3", Transfer::total}};
+  for (int i = 0; i < axes; ++i) columns.push_back({std::string("force ") + axis_names[i], 1, "N", Transfer::total});
+  rows_ = store.declare(ArrayInfo::on_surface(prefix + "film", std::move(columns), std::move(at)).not_shown());
 }
 
 SideFilm WaterFilm::of_side(const StepView& view, std::size_t side, const Point& weight) const {

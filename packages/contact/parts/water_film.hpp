@@ -19,7 +19,7 @@ class WaterFilm {
   void parameters(Parameters& p);
   /// InputError where the deck has entries of a film and there is none.
   static void refuse(const Section& section);
-  void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes);
+  void declare_state(StateStore& store, const std::string& prefix, std::shared_ptr<const SurfacePoints> at, int axes);
 
   /// Sets which sides have a film in the coming step: flags by side.
   void cover(std::vector<char> flags) { covered_ = std::move(flags); }
@@ -30,9 +30,6 @@ class WaterFilm {
   /// Writes a point of a contact with a film.
   void write(const State& trial, int row, const ContactPoint& point) const;
 
-  /// Array and column that are convected when the sides move past the soil.
-  int array() const { return rows_; }
-  static constexpr int vapour_column = 0;
   /// Water and vapour [m3], force on the soil [N]: this rank's sums.
   struct Sums {
     double water = 0, vapour = 0;

@@ -147,7 +147,7 @@ TEST_P(ContactInSpace, HistoryStaysWhereItIsWhenTheMeshMoves) {
     committed.coordinates(node, 0) += 0.05 * old(node, 0) - 0.03 * old(node, 1);
     committed.coordinates(node, 1) += 0.02 * old(node, 0) + 0.04 * old(node, 1);
   }
-  dynamic_cast<Transferred&>(*model.contact).relocate(old, committed);
+  model.follow(old);
   for (std::size_t row = 0; row < rows.extent(0); ++row) {
     const double x = before[row][1], y = -before[row][0];  // in proportion to the position
     EXPECT_NEAR(rows(row, 0), before[row][0] - (0.02 * x + 0.04 * y), 0.08 * angle * largest);

@@ -12,6 +12,7 @@
 #include "contact/contact.hpp"
 #include "framework/closed_sides.hpp"
 #include "framework/first_act.hpp"
+#include "framework/surface_points.hpp"
 #include "physics/register.hpp"
 #include "reading_laws.hpp"
 
@@ -99,8 +100,7 @@ struct ContactModel {
     frictions.add<ThrowingFriction>("throwing", "Friction that cannot answer");
     normal_laws.add<ReadingNormalLaw>("reading", "Pressure that reads the soil");
     if (warm)  // a stress at two points per element
-      store.declare({"soil/effective stress", {{"effective stress", 6, "Pa"}}, 0, 2},
-                    2 * static_cast<int>(mesh.blocks()[0].nodes.extent(0)));
+      store.declare(ArrayInfo::at_points("soil/effective stress", {{"effective stress", 6, "Pa"}}, mesh, 0, 2));
     contact = registry.create(deck.deck.root().section("contacts").section("c"),
                               {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
                                [stress](const State&, int, int, const Point& at) { return stress(at); }});
@@ -108,6 +108,13 @@ struct ContactModel {
     contact->declare_state(store);
     contact->sparsity(assembler);
     assembler.finalise();
+  }
+
+  /// Takes the arrays to a mesh that moved: its nodes were at x_old.
+  void follow(const ConstCoordinateView& x_old) {
+    for (int handle = 0; handle < store.num_arrays(); ++handle)
+      if (const ArrayInfo& info = store.info(handle); info.surface)
+        info.surface->follow(info.variables, x_old, store.committed().coordinates, store.committed().arrays[handle]);
   }
 
   std::vector<Field> fields(Geometry geometry, Support pressure, bool warm) {

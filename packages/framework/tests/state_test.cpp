@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "discretisation/tests/mesh_fixture.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 namespace {
@@ -15,12 +16,8 @@ struct Store {
   int array;
 
   Store() {
-    ArrayInfo info;
-    info.name = "soil/stress";
-    info.variables = {{"stress", 6, "Pa"}, {"void ratio", 1, "-"}};
-    info.block = 0;
-    info.points_per_element = 4;
-    array = store.declare(info, 8);
+    array =
+        store.declare(ArrayInfo::at_points("soil/stress", {{"stress", 6, "Pa"}, {"void ratio", 1, "-"}}, *mesh, 0, 4));
     store.allocate_history(1);
   }
 
@@ -64,9 +61,49 @@ TEST(StateStore, DeclaredArraysAreInBothStates) {
     EXPECT_EQ(state->arrays[s.array].extent(0), 8u);
     EXPECT_EQ(state->arrays[s.array].extent(1), 7u);
   }
-  ArrayInfo again;
-  again.name = "soil/stress";
-  EXPECT_THROW(s.store.declare(again, 1), std::logic_error);
+  EXPECT_THROW(s.store.declare(ArrayInfo::of_model("soil/stress", {{"value", 1, "-"}})), std::logic_error);
+}
+
+TEST(StateStore, ADescriptionThatContradictsItselfIsRefused) {
+  Store s;
+  const auto with = [](Transfer rule, int components = 1) {
+    return std::vector<StateVariable>{{"v", components, "-", rule}};
+  };
+  const auto surface = std::make_shared<SurfacePoints>(*s.mesh, "top", SurfacePoints::At::gauss, 2);
+  const auto refused = [&](ArrayInfo info) {
+    const std::string problem = info.problem();
+    EXPECT_THROW(s.store.declare(std::move(info)), std::logic_error);
+    return problem;
+  };
+  EXPECT_NE(refused(ArrayInfo::of_model("a", with(Transfer::total))).find("declare it as a sum"), std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::of_model("a", with(Transfer::nearest))).find("no places"), std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::of_sum("a", with(Transfer::nearest))).find("no places"), std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::at_nodes("a", with(Transfer::mass), *s.mesh)).find("void ratios"), std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::on_surface("a", with(Transfer::mass), surface)).find("void ratios"), std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::at_points("a", with(Transfer::mass, 6), *s.mesh, 0, 4)).find("void ratios"),
+            std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::of_sum("a", with(Transfer::value)).then_evaluated()).find("evaluated"),
+            std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::of_model("a", with(Transfer::value, 0))).find("components"), std::string::npos);
+  EXPECT_NE(refused(ArrayInfo::of_model("", with(Transfer::value))).find("name"), std::string::npos);
+  for (const Transfer rule : {Transfer::value, Transfer::total, Transfer::nearest}) {
+    const std::string n = std::to_string(static_cast<int>(rule));
+    s.store.declare(ArrayInfo::at_nodes("nodes" + n, with(rule), *s.mesh, "top"));
+    s.store.declare(ArrayInfo::on_surface("surface" + n, with(rule), surface));
+    s.store.declare(ArrayInfo::at_points("points" + n, with(rule), *s.mesh, 0, 4));
+  }
+  EXPECT_EQ(s.store.info(s.store.find("nodes0")).rows, 3);
+  EXPECT_EQ(s.store.info(s.store.find("surface0")).rows, 4);
+}
+
+TEST(StateStore, ArraysThatAreEvaluatedAfterATransferAreTakenOver) {
+  Store s;
+  const int kept = s.store.declare(ArrayInfo::at_nodes("kept", {{"v", 1, "-"}}, *s.mesh)),
+            taken = s.store.declare(ArrayInfo::at_nodes("taken", {{"v", 1, "-"}}, *s.mesh).then_evaluated());
+  for (int handle : {kept, taken}) Kokkos::deep_copy(s.store.trial().arrays[handle], 2.0);
+  s.store.take_evaluated();
+  EXPECT_EQ(s.store.committed().arrays[kept](0, 0), 0);
+  EXPECT_EQ(s.store.committed().arrays[taken](0, 0), 2);
 }
 
 TEST(StateStore, ARejectedStepLeavesNothing) {

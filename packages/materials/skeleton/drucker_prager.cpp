@@ -68,7 +68,7 @@ void DruckerPrager::prepare() {
 }
 
 std::vector<StateVariable> DruckerPrager::state() {
-  return {{"plastic shear strain", 1, "-", RemapRule::value, 0.0, 1e300}};
+  return {{"plastic shear strain", 1, "-", Transfer::value, 0.0, 1e300}};
 }
 
 std::string DruckerPrager::initialise(const InitialPoint&, double* state) const {

@@ -58,9 +58,9 @@ void ModifiedCamClay::check(const Section& section) const {
 }
 
 std::vector<StateVariable> ModifiedCamClay::state() {
-  return {{"preconsolidation pressure", 1, "Pa", RemapRule::value, 0.0, 1e300},
-          {"plastic shear strain", 1, "-", RemapRule::value, 0.0, 1e300},
-          {"initial specific volume", 1, "-", RemapRule::value, 1.0, 1e300}};
+  return {{"preconsolidation pressure", 1, "Pa", Transfer::value, 0.0, 1e300},
+          {"plastic shear strain", 1, "-", Transfer::value, 0.0, 1e300},
+          {"initial specific volume", 1, "-", Transfer::value, 1.0, 1e300}};
 }
 
 std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state) const {

@@ -48,8 +48,8 @@ void MohrCoulomb::prepare() {
 }
 
 std::vector<StateVariable> MohrCoulomb::state() {
-  return {{"cohesion", 1, "Pa", RemapRule::value, 0.0, 1e300},
-          {"plastic shear strain", 1, "-", RemapRule::value, 0.0, 1e300}};
+  return {{"cohesion", 1, "Pa", Transfer::value, 0.0, 1e300},
+          {"plastic shear strain", 1, "-", Transfer::value, 0.0, 1e300}};
 }
 
 std::string MohrCoulomb::initialise(const InitialPoint& point, double* state) const {

@@ -26,7 +26,7 @@ struct NeoHookean {
                "Ratio of lateral contraction to extension at small strain");
   }
   static std::vector<StateVariable> state() {
-    return {{"left cauchy-green strain", 6, "-", RemapRule::tensor, -1e300, 1e300}};
+    return {{"left cauchy-green strain", 6, "-", Transfer::value, -1e300, 1e300}};
   }
   std::string initialise(const InitialPoint& point, double* state) const;
 

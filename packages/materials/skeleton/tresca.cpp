@@ -42,8 +42,8 @@ void Tresca::check(const Section& section) const {
 }
 
 std::vector<StateVariable> Tresca::state() {
-  return {{"undrained strength", 1, "Pa", RemapRule::value, 0.0, 1e300},
-          {"accumulated plastic shear strain", 1, "-", RemapRule::value, 0.0, 1e300}};
+  return {{"undrained strength", 1, "Pa", Transfer::value, 0.0, 1e300},
+          {"accumulated plastic shear strain", 1, "-", Transfer::value, 0.0, 1e300}};
 }
 
 std::string Tresca::initialise(const InitialPoint& point, double* state) const {

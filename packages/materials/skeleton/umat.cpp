@@ -140,10 +140,10 @@ void Umat::parameters(Parameters& p) {
 
 /// STATEV in its own order, except that tensors become one variable each.
 void Umat::make_variables() {
-  variables_ = {{"accumulated strain", strain_size, "-", RemapRule::tensor}};
+  variables_ = {{"accumulated strain", strain_size, "-"}};
   for (int i = 0; i < 9; ++i)
     variables_.push_back({"deformation gradient " + std::to_string(i / 3 + 1) + std::to_string(i % 3 + 1), 1, "-",
-                          RemapRule::value, -1e300, 1e300, true});
+                          Transfer::value, -1e300, 1e300, true});
   source_.clear();
   tensors_.clear();
   for (int i = 0; i < state_count_;) {
@@ -152,11 +152,11 @@ void Umat::make_variables() {
     const std::string name = "statev " + std::to_string(i + 1);
     if (tensor) {
       tensors_.push_back(i);
-      variables_.push_back({name, 6, "-", RemapRule::tensor});
+      variables_.push_back({name, 6, "-"});
       for (const int c : ours) source_.push_back(i + c);
       i += 6;
     } else {
-      variables_.push_back({name, 1, "-", RemapRule::value});
+      variables_.push_back({name, 1, "-"});
       source_.push_back(i++);
     }
   }

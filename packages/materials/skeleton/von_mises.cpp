@@ -20,7 +20,7 @@ void VonMises::check(const Section& section) const {
 }
 
 std::vector<StateVariable> VonMises::state() {
-  return {{"equivalent plastic strain", 1, "-", RemapRule::value, 0.0, 1e300}};
+  return {{"equivalent plastic strain", 1, "-", Transfer::value, 0.0, 1e300}};
 }
 
 template class PointwiseSkeleton<AutomaticTangent<VonMises>>;

@@ -147,7 +147,7 @@ struct Faulty {
   Fault fault = none;
 
   void parameters(Parameters&) {}
-  static std::vector<StateVariable> state() { return {{"count", 1, "-", RemapRule::value, 0.0, 1.0}}; }
+  static std::vector<StateVariable> state() { return {{"count", 1, "-", Transfer::value, 0.0, 1.0}}; }
   std::string initialise(const InitialPoint&, double* state) const {
     state[0] = 0.0;
     return fault == refusing ? "never" : "";

@@ -17,7 +17,7 @@ constexpr double bulk = 2e7, shear = 1e7;  // [Pa]
 struct Careful {
   double longest = 1e300;
   void parameters(Parameters&) {}
-  static std::vector<StateVariable> state() { return {{"count", 1, "-"}, {"direction", 6, "-", RemapRule::tensor}}; }
+  static std::vector<StateVariable> state() { return {{"count", 1, "-"}, {"direction", 6, "-"}}; }
   std::string initialise(const InitialPoint& point, double* state) const {
     for (int i = 0; i < 7; ++i) state[i] = i == 1 ? 1.0 : 0.0;  // the direction is x
     return point.void_ratio > 5.0 ? "too loose" : "";

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "framework/dof_ids.hpp"
 #include "framework/side_loop.hpp"
 #include "physics/soil_points.hpp"
 
@@ -38,28 +37,26 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
   soil_ = context.shared.find<Soil>();
   if (!soil_) section.fail("an absorbing boundary needs a physics with soil", "type");
   impedance_ = PointView("impedance", block_.sides, 2);
-  const int owned = space_->dofs()->num_owned_dofs();
-  for (int node : space_->mesh().nodes_of_set(set_))
-    for (int i = 0; i < dimension(); ++i) {
-      const int dof = space_->node_dof(block_.field)(node) + i;
-      if (dof < owned) reaction_dofs_.push_back(dof);
-    }
 }
 
 void AbsorbingBoundary::declare_state(StateStore& store) {
   store_ = &store;
-  ArrayInfo info{"absorbing/" + Condition::name, {{"held force", 1, "N"}}};
-  const std::vector<long long> ids = dof_ids(*space_->dofs());
-  for (int dof : reaction_dofs_) info.ids.push_back(ids[dof]);
-  held_ = store.declare(std::move(info), static_cast<int>(reaction_dofs_.size()));
+  std::vector<StateVariable> force;
+  for (int i = 0; i < dimension(); ++i)
+    force.push_back({std::string("held force ") + axis_names[i], 1, "N", Transfer::total});
+  ArrayInfo info = ArrayInfo::at_nodes("absorbing/" + Condition::name, force, space_->mesh(), set_).not_shown();
+  nodes_ = info.nodes;
+  held_ = store.declare(std::move(info));
 }
 
 void AbsorbingBoundary::activate(const State& committed, const NodalView& unbalanced) {
   // The constant force balances the part of the soil's force on the boundary that no other condition has taken yet.
-  for (std::size_t i = 0; i < reaction_dofs_.size(); ++i) {
-    store_->committed().arrays[held_](i, 0) = -unbalanced(reaction_dofs_[i]);
-    unbalanced(reaction_dofs_[i]) = 0;
-  }
+  for (std::size_t row = 0; row < nodes_.size(); ++row)
+    for (int i = 0; i < dimension(); ++i) {
+      double& taken = unbalanced(dof_of(row, i));
+      store_->committed().arrays[held_](row, i) = -taken;
+      taken = 0;
+    }
 }
 
 void AbsorbingBoundary::begin(const StepView& view) {
@@ -86,8 +83,8 @@ int AbsorbingBoundary::residual(const StepView& view, const ResidualView& f) {
   if (view.inertia)
     add_side_residual(geometry(), block_, side_level(view, block_, view.x_old), Dashpots{{}, block_.points, impedance_},
                       f);
-  for (std::size_t i = 0; i < reaction_dofs_.size(); ++i)
-    f.add(reaction_dofs_[i], view.committed->arrays[held_](i, 0), 0);
+  for (std::size_t row = 0; row < nodes_.size(); ++row)
+    for (int i = 0; i < dimension(); ++i) f.add(dof_of(row, i), view.committed->arrays[held_](row, i), 0);
   return 0;
 }
 

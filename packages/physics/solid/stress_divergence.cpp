@@ -155,9 +155,4 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
 
 std::string StressDivergence::hint(const StepView&) const { return broadcast(*soil_->space->dofs()->comm(), failure_); }
 
-void StressDivergence::take_evaluated(const State& evaluated, State& committed) {
-  for (const SoilBlock& b : soil_->blocks)
-    for (int handle : {b.stress, b.law}) Kokkos::deep_copy(committed.arrays[handle], evaluated.arrays[handle]);
-}
-
 }  // namespace mudline

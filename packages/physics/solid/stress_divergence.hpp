@@ -13,7 +13,7 @@ namespace mudline {
 /// update (Hughes-Winget rotation around the skeleton law) and writes effective stress, law state and void ratio of the
 /// trial state. Consistent tangent incl. geometric stiffness and the variation of the rotation (exact for isotropic
 /// laws).
-class StressDivergence : public Term, public History, public Foresees, public Transferred, public Reports {
+class StressDivergence : public Term, public History, public Foresees, public Reports {
  public:
   explicit StressDivergence(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
   std::string name() const override { return "stress divergence"; }
@@ -24,7 +24,6 @@ class StressDivergence : public Term, public History, public Foresees, public Tr
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void foresee_jacobian(bool likely) override { keeps_ = likely; }
   void forget_foreseen() override { kept_ = false; }
-  void take_evaluated(const State& evaluated, State& committed) override;
   /// The failure of a law in the last evaluation.
   std::string hint(const StepView& view) const override;
 

@@ -84,7 +84,7 @@ struct ManyTensors {
     std::vector<StateVariable> variables;
     for (int k = 0; k < many; ++k) {
       variables.push_back({"number " + std::to_string(k), 1, "-"});
-      variables.push_back({"tensor " + std::to_string(k), 6, "-", RemapRule::tensor});
+      variables.push_back({"tensor " + std::to_string(k), 6, "-"});
     }
     return variables;
   }

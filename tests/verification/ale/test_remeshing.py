@@ -220,7 +220,7 @@ class Ball(MudlineCase):
         for overlay, expected in (
             ({"output": {"probes": {"tip": [0.0, 0.3]}}}, "a node is lost when the mesh is remeshed"),
             ({"boundary conditions": {"far": {"type": "absorbing", "set": "right"}}},
-             "the boundary condition 'far' holds forces at nodes that would move; name its set in boundary/material sides"),
+             "the state 'absorbing/far' has parts of a sum at nodes that a remeshing would move; name their set in boundary/material sides"),
             ({"mesh motion": {"remeshing": ADAPTIVE}},
              "'adaptive' takes the sizes from the error estimate; it needs output/error estimate = true"),
             ({"mesh": {"cell": "quad9"}}, "the mesh has cells quad9; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed"),

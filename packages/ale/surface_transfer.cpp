@@ -1,11 +1,11 @@
-#include "simulation/surface_transfer.hpp"
+#include "ale/surface_transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "algebra/raw_communicator.hpp"
-#include "integrator/overlap.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -17,17 +17,13 @@ std::vector<double> flat(const std::vector<Point>& places, int dimension) {
   return result;
 }
 
-enum class Kind { linear, nearest, total };
+constexpr double inwards = 1e-3;  // share of the way from a row to the middle of its side
 
-Kind kind_of(const std::string& unit) {
-  if (unit == "-") return Kind::nearest;
-  const bool sum = unit == "J" || unit == "N" || unit == "N m" || unit == "m2" || unit == "m3";
-  return sum ? Kind::total : Kind::linear;
-}
+double bounded(const StateVariable& variable, double value) { return std::clamp(value, variable.low, variable.high); }
 
 /// Values given at ascending places `s` of a path, transferred to the ascending places `to`; `length`: that of the path
 /// [m].
-std::vector<double> transferred(Kind kind, const std::vector<double>& s, const std::vector<double>& values,
+std::vector<double> transferred(Transfer rule, const std::vector<double>& s, const std::vector<double>& values,
                                 const std::vector<double>& to, double length) {
   const auto between = [](const std::vector<double>& at, const std::vector<double>& of, double place) {
     const auto after = std::upper_bound(at.begin(), at.end(), place) - at.begin();
@@ -44,7 +40,7 @@ std::vector<double> transferred(Kind kind, const std::vector<double>& s, const s
     return result;
   };
   std::vector<double> result;
-  if (kind == Kind::total) {
+  if (rule == Transfer::total) {
     const std::vector<double> parts = limits(s), new_parts = limits(to);
     std::vector<double> sums{0};
     for (double value : values) sums.push_back(sums.back() + value);
@@ -53,7 +49,7 @@ std::vector<double> transferred(Kind kind, const std::vector<double>& s, const s
     return result;
   }
   for (double place : to) {
-    if (kind == Kind::linear) {
+    if (rule == Transfer::value) {
       result.push_back(between(s, values, place));
       continue;
     }
@@ -67,7 +63,7 @@ std::vector<double> transferred(Kind kind, const std::vector<double>& s, const s
 }  // namespace
 
 SurfaceTransfer::SurfaceTransfer(const Ale& before, const Positions& x, const std::string& surface)
-    : comm_(*before.mesh().mesh().comm()), dimension_(before.mesh().dimension()), x_(x) {
+    : mesh_(before.mesh()), comm_(*mesh_.mesh().comm()), dimension_(before.mesh().dimension()), x_(x) {
   for (const MeshPath& path : before.paths()) {
     if (!path.sets.count(surface)) continue;
     double s = 0;
@@ -84,6 +80,12 @@ SurfaceTransfer::SurfaceTransfer(const Ale& before, const Positions& x, const st
   for (const SurfaceFace& face : before.surfaces().faces)
     if (face.sets.count(surface)) faces_.push_back(face);
   locator_.emplace(faces_, x_);
+}
+
+std::vector<double> SurfaceTransfer::column_of(const PointView& rows, int column) const {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows.extent(0); ++row) values.push_back(rows(row, column));
+  return all_gather(comm_, values);
 }
 
 SurfaceTransfer::Row SurfaceTransfer::locate(double x, double y, int number) const {
@@ -109,23 +111,30 @@ std::vector<std::vector<SurfaceTransfer::Row>> SurfaceTransfer::along(const std:
   return result;
 }
 
-void SurfaceTransfer::transfer(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
-                               const PointView& now, const SurfaceRows& new_rows) const {
+SurfaceTransfer::Rows::Rows(const ArrayInfo& info, const PointView& rows, const ConstCoordinateView& x)
+    : values(rows), places(info.surface->places(x)), areas(info.surface->areas(x)), inside(places) {
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+    const auto side = [&](std::size_t row) { return info.ids[row] / SurfacePoints::most_points_of_side; };
+    Point middle{};
+    for (last = first; last < places.size() && side(last) == side(first); ++last) middle += places[last];
+    middle = 1.0 / static_cast<double>(last - first) * middle;
+    for (std::size_t row = first; row < last; ++row) inside[row] += inwards * (middle - places[row]);
+  }
+}
+
+void SurfaceTransfer::transfer(const std::vector<StateVariable>& variables, const Rows& old, const Rows& now) const {
   if (dimension_ == 3) {
-    transfer_in_space(info, old, old_rows, now, new_rows);
+    transfer_in_space(variables, old, now);
     return;
   }
-  const std::vector<Point>&old_places = old_rows.places, &new_places = new_rows.places;
   std::size_t first = 0;
-  const auto from = along(all_gather(comm_, flat(old_places, 2))),
-             to = along(all_gather(comm_, flat(new_places, 2), &first));
-  const int mine = static_cast<int>(first / 2), end = mine + static_cast<int>(new_places.size());
+  const auto from = along(all_gather(comm_, flat(old.places, 2))),
+             to = along(all_gather(comm_, flat(now.places, 2), &first));
+  const int mine = static_cast<int>(first / 2), end = mine + static_cast<int>(now.places.size());
   int column = 0;
-  for (const StateVariable& variable : info.variables)
+  for (const StateVariable& variable : variables)
     for (int c = 0; c < variable.components; ++c, ++column) {
-      std::vector<double> values;
-      for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
-      values = all_gather(comm_, values);
+      const std::vector<double> values = column_of(old.values, column);
       for (std::size_t p = 0; p < from.size(); ++p) {
         if (from[p].empty()) continue;
         std::vector<double> s, of, places;
@@ -134,9 +143,10 @@ void SurfaceTransfer::transfer(const ArrayInfo& info, const PointView& old, cons
           of.push_back(values[row.number]);
         }
         for (const Row& row : to[p]) places.push_back(row.s);
-        const std::vector<double> made = transferred(kind_of(variable.unit), s, of, places, lengths_[p]);
+        const std::vector<double> made = transferred(variable.transfer, s, of, places, lengths_[p]);
         for (std::size_t i = 0; i < to[p].size(); ++i)
-          if (to[p][i].number >= mine && to[p][i].number < end) now(to[p][i].number - mine, column) = made[i];
+          if (to[p][i].number >= mine && to[p][i].number < end)
+            now.values(to[p][i].number - mine, column) = bounded(variable, made[i]);
       }
     }
 }
@@ -169,20 +179,33 @@ std::vector<double> fit_weights(const std::vector<FacePlace>& places, const Face
 
 }  // namespace
 
-std::vector<SurfaceTransfer::Origin> SurfaceTransfer::origins(const std::vector<double>& from,
-                                                              const SurfaceRows& new_rows) const {
+SurfacePlace SurfaceTransfer::face_of(const Point& place, const Point& inside) const {
+  const SurfacePlace there = locator_->nearest(place);
+  const double u = there.xi[0], v = there.xi[1];
+  const bool triangle = is_simplex(faces_[there.face].shape);
+  const double to_edge = triangle ? std::min({u, v, 1 - u - v}) : 1 - std::max(std::abs(u), std::abs(v));
+  if (to_edge > 1e-6) return there;
+  SurfacePlace own = locator_->nearest(inside);
+  const double middle = is_simplex(faces_[own.face].shape) ? 1.0 / 3 : 0.0;
+  for (double& xi : own.xi) xi = middle + (xi - middle) / (1 - inwards);
+  return own;
+}
+
+std::vector<SurfaceTransfer::Origin> SurfaceTransfer::origins(const Rows& old, const Rows& now) const {
+  const std::vector<double> from = all_gather(comm_, flat(old.places, 3)),
+                            inside = all_gather(comm_, flat(old.inside, 3));
   const int count = static_cast<int>(from.size() / 3);
   const auto old_place = [&](int row) { return Point{from[3 * row], from[3 * row + 1], from[3 * row + 2]}; };
   std::vector<std::vector<int>> rows(faces_.size());
   std::vector<FacePlace> xi;
   for (int row = 0; row < count; ++row) {
-    const SurfacePlace there = locator_->nearest(old_place(row));
+    const SurfacePlace there = face_of(old_place(row), {inside[3 * row], inside[3 * row + 1], inside[3 * row + 2]});
     rows[there.face].push_back(row);
     xi.push_back(there.xi);
   }
   std::vector<Origin> result;
-  for (std::size_t i = 0; i < new_rows.places.size(); ++i) {
-    const Point& place = new_rows.places[i];
+  for (std::size_t i = 0; i < now.places.size(); ++i) {
+    const Point& place = now.places[i];
     Origin origin{0, false, {}};
     double least = 1e300;
     for (int row = 0; row < count; ++row) {
@@ -191,7 +214,7 @@ std::vector<SurfaceTransfer::Origin> SurfaceTransfer::origins(const std::vector<
       least = off;
       origin.nearest = row;
     }
-    origin.same = least <= 1e-9 * std::sqrt(new_rows.areas[i]);
+    origin.same = least <= 1e-9 * std::sqrt(now.areas[i]);
     const SurfacePlace there = locator_->nearest(place);
     const std::vector<int>& near = rows[there.face];
     std::vector<FacePlace> places;
@@ -205,19 +228,17 @@ std::vector<SurfaceTransfer::Origin> SurfaceTransfer::origins(const std::vector<
   return result;
 }
 
-void SurfaceTransfer::transfer_in_space(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
-                                        const PointView& now, const SurfaceRows& new_rows) const {
-  const std::vector<double> areas = all_gather(comm_, old_rows.areas);
-  const std::vector<Origin> made_of = origins(all_gather(comm_, flat(old_rows.places, 3)), new_rows);
+void SurfaceTransfer::transfer_in_space(const std::vector<StateVariable>& variables, const Rows& old,
+                                        const Rows& now) const {
+  const std::vector<double> areas = all_gather(comm_, old.areas);
+  const std::vector<Origin> made_of = origins(old, now);
   int column = 0;
-  for (const StateVariable& variable : info.variables)
+  for (const StateVariable& variable : variables)
     for (int c = 0; c < variable.components; ++c, ++column) {
-      const Kind kind = kind_of(variable.unit);
-      std::vector<double> values;
-      for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
-      values = all_gather(comm_, values);
+      const bool is_total = variable.transfer == Transfer::total;
+      std::vector<double> values = column_of(old.values, column);
       double total = 0;
-      if (kind == Kind::total)
+      if (is_total)
         for (std::size_t row = 0; row < values.size(); ++row) {
           total += values[row];
           values[row] /= std::max(areas[row], 1e-300);
@@ -230,16 +251,17 @@ void SurfaceTransfer::transfer_in_space(const ArrayInfo& info, const PointView& 
           least = std::min(least, values[row]);
           most = std::max(most, values[row]);
         }
-        made.push_back(kind == Kind::nearest ? values[origin.nearest] : std::clamp(sum, least, most));
+        made.push_back(variable.transfer == Transfer::nearest ? values[origin.nearest] : std::clamp(sum, least, most));
       }
       double scale = 1;
-      if (kind == Kind::total) {
-        const auto sum = [&] { return sum_over_ranks(comm_, std::accumulate(made.begin(), made.end(), 0.0)); };
-        for (std::size_t row = 0; row < made.size(); ++row) made[row] *= new_rows.areas[row];
-        if (sum() == 0) made = new_rows.areas;  // a density of zero is spread evenly
+      if (is_total) {
+        const auto sum = [&] { return mesh_.sum(std::accumulate(made.begin(), made.end(), 0.0)); };
+        for (std::size_t row = 0; row < made.size(); ++row) made[row] *= now.areas[row];
+        if (sum() == 0) made = now.areas;  // a density of zero is spread evenly
         scale = total / sum();
       }
-      for (std::size_t row = 0; row < made.size(); ++row) now(row, column) = scale * made[row];
+      for (std::size_t row = 0; row < made.size(); ++row)
+        now.values(row, column) = bounded(variable, scale * made[row]);
     }
 }
 

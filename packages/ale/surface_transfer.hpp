@@ -7,25 +7,30 @@
 
 #include "ale/ale.hpp"
 #include "ale/face_locator.hpp"
-#include "contact/contact.hpp"
 
 namespace mudline {
 
-/// Transfers rows of numbers that belong to places along a surface from one mesh to another. A column's unit decides
-/// how it is transferred: sums over a part of the surface (J, N, N m, m2, m3) keep their total on every path, flags (-)
-/// are those of the nearest row, everything else is linear between the rows along the path, and constant beyond the
+/// Transfers arrays whose rows are points of a surface from one mesh to another, by the rule of each variable. In the
+/// plane totals are kept on every path, and values are linear between the rows along the path, and constant beyond the
 /// last ones. In space the rows on an old face are fitted by a linear function of its reference coordinates, within the
-/// range of its rows. Sums are fitted as densities, and all rows of the surface are then scaled to the old total. A row
-/// at the place of an old one gets that row's numbers.
+/// range of its rows. Totals are fitted as densities, and all rows of the surface are then scaled to the old total. A
+/// row at the place of an old one gets that row's numbers.
 class SurfaceTransfer {
  public:
   /// `before`: the old mesh, with its nodes at `x` [m]. `surface`: name of a side set.
   SurfaceTransfer(const Ale& before, const Positions& x, const std::string& surface);
   SurfaceTransfer(const SurfaceTransfer&) = delete;
   SurfaceTransfer& operator=(const SurfaceTransfer&) = delete;
-  /// Transfers an array; `old` and `now` hold this rank's rows. Collective.
-  void transfer(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows, const PointView& now,
-                const SurfaceRows& new_rows) const;
+  /// An array on one of the meshes: this rank's rows, their places [m] and areas [m2].
+  struct Rows {
+    PointView values;
+    std::vector<Point> places;
+    std::vector<double> areas;
+    std::vector<Point> inside;  // places a little towards the middle of their sides
+    Rows(const ArrayInfo& info, const PointView& rows, const ConstCoordinateView& x);
+  };
+  /// Transfers an array. Collective.
+  void transfer(const std::vector<StateVariable>& variables, const Rows& old, const Rows& now) const;
 
  private:
   struct Row {
@@ -42,14 +47,19 @@ class SurfaceTransfer {
     bool same;  // the nearest one is at the same place
     std::vector<std::pair<int, double>> weights;
   };
-  std::vector<Origin> origins(const std::vector<double>& from, const SurfaceRows& new_rows) const;
-  void transfer_in_space(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows, const PointView& now,
-                         const SurfaceRows& new_rows) const;
+  std::vector<Origin> origins(const Rows& old, const Rows& now) const;
+  /// The face of the old mesh on which a row stands. Rows on its edges belong to the side that they were declared on.
+  SurfacePlace face_of(const Point& place, const Point& inside) const;
+  void transfer_in_space(const std::vector<StateVariable>& variables, const Rows& old, const Rows& now) const;
 
   struct PathSide {
     int path, nodes[3];
     double from, to;  // [m]
   };
+  /// A column of the rows of all ranks.
+  std::vector<double> column_of(const PointView& rows, int column) const;
+
+  const GhostedMesh& mesh_;
   const Comm& comm_;
   int dimension_;
   Positions x_;
