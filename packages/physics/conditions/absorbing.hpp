@@ -30,9 +30,9 @@ class AbsorbingBoundary : public SideLoad {
   int columns() const override { return 0; }  // the dashpots act on the committed configuration
   std::shared_ptr<Soil> soil_;
   double normal_factor_ = 1, tangential_factor_ = 1;
-  PointView impedance_;             // (side, normal and tangential) rho c [Pa s/m]
-  int held_ = -1;                   // state array: (owned dof of the set) constant force [N]
-  std::vector<int> reaction_dofs_;  // owned dofs of the set
+  std::vector<PointView> impedance_;  // by part: (side, normal and tangential) rho c [Pa s/m]
+  int held_ = -1;                     // state array: (owned dof of the set) constant force [N]
+  std::vector<int> reaction_dofs_;    // owned dofs of the set
   StateStore* store_ = nullptr;
 };
 
