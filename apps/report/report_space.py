@@ -1,47 +1,60 @@
 """The mesh in space as triangles: its outer surface, and sections through it. No drawing here.
 
 Node order of cells: corners, edge middles, face centres, centre (VTK). Quadratic cells are split into straight-sided
-ones at their nodes. A hex8 gets centres of its faces and of itself, means of its corners, so that neighbours split the face
-between them alike; a value there is the mean, too.
+ones at their nodes. Cells that lack centres of their quadrilaterals and of themselves get them, as means of nodes, so that
+neighbours split the face between them alike; a value there is the mean, too.
 """
 
 import numpy as np
 
-CELLS = {6: 4, 38: 10, 9: 8, 50: 27}  # XDMF cell number: nodes
-TETRAHEDRA, HEX8 = (6, 38), 9
+CELLS = {6: 4, 38: 10, 9: 8, 50: 27, 8: 6, 40: 15, 41: 18}  # XDMF cell number: nodes
+TETRAHEDRA, WEDGES, HEX8 = (6, 38), (8, 40, 41), 9
+LINEAR = (6, 8, 9)
 # Corners of the faces, counter-clockwise as seen from outside.
 TET_FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
 HEX_FACES = [(0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7)]
 TET_EDGES = [(0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)]
 HEX_EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
+WEDGE_FACES = [(0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5), (0, 2, 1), (3, 4, 5)]
+WEDGE_EDGES = [(0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)]
+WEDGE_QUADRILATERALS = [(6, 13, 9, 12), (7, 14, 10, 13), (8, 12, 11, 14)]  # nodes in the middle of their edges
 SHARP = np.cos(np.radians(35.0))  # faces that meet at a larger angle meet at an edge of the model
 
 
 def faces_of(kind):
-    return TET_FACES if kind in TETRAHEDRA else HEX_FACES
+    return TET_FACES if kind in TETRAHEDRA else WEDGE_FACES if kind in WEDGES else HEX_FACES
 
 
-def middles(edges, first):
-    """{corners of the edge: node in its middle}, for both directions."""
-    return {pair: first + i for i, edge in enumerate(edges) for pair in (edge, edge[::-1])}
+def edges_of(kind):
+    return TET_EDGES if kind in TETRAHEDRA else WEDGE_EDGES if kind in WEDGES else HEX_EDGES
+
+
+def face_centre(kind, face):
+    """Local number of the node in the middle of a quadrilateral."""
+    return {HEX8: 8, 50: 20, 8: 6, 40: 15, 41: 15}[kind] + face
+
+
+def cell_centre(kind):
+    return {HEX8: 14, 50: 26, 8: 9, 40: 18, 41: 18}[kind]
 
 
 def face_triangles(kind, face):
     """[(three local nodes, which of its three sides are edges of the cell)] of one face, oriented as the face."""
     corners = faces_of(kind)[face]
     ring = list(zip(corners, corners[1:] + corners[:1]))
-    if kind == 6:
-        return [(corners, (True, True, True))]
-    if kind == HEX8:
-        return [((a, b, 8 + face), (True, False, False)) for a, b in ring]
-    if kind == 38:
-        middle = middles(TET_EDGES, 4)
+    if kind in LINEAR:
+        if len(corners) == 3:
+            return [(corners, (True, True, True))]
+        return [((a, b, face_centre(kind, face)), (True, False, False)) for a, b in ring]
+    edges = edges_of(kind)
+    first = {38: 4, 50: 8, 40: 6, 41: 6}[kind]
+    middle = {pair: first + i for i, edge in enumerate(edges) for pair in (edge, edge[::-1])}
+    if len(corners) == 3:
         before = ring[-1:] + ring[:-1]
         triangles = [((a, middle[a, b], middle[c, a]), (True, False, True)) for (c, _), (a, b) in zip(before, ring)]
         return triangles + [(tuple(middle[pair] for pair in ring), (False, False, False))]
-    middle = middles(HEX_EDGES, 8)
     halves = [pair for a, b in ring for pair in ((a, middle[a, b]), (middle[a, b], b))]
-    return [((a, b, 20 + face), (True, False, False)) for a, b in halves]
+    return [((a, b, face_centre(kind, face)), (True, False, False)) for a, b in halves]
 
 
 def cell_tetrahedra(kind):
@@ -51,16 +64,35 @@ def cell_tetrahedra(kind):
     if kind == 38:  # at the corners, and four around the diagonal 6-8 of the rest
         corners = [(0, 4, 6, 7), (1, 5, 4, 8), (2, 6, 5, 9), (3, 7, 9, 8)]
         return corners + [(6, 8, 4, 5), (6, 8, 5, 9), (6, 8, 9, 7), (6, 8, 7, 4)]
-    centre = 14 if kind == HEX8 else 26
-    return [nodes + (centre,) for face in range(6) for nodes, _ in face_triangles(kind, face)]
+    centre = cell_centre(kind)
+    return [nodes + (centre,) for face in range(len(faces_of(kind))) for nodes, _ in face_triangles(kind, face)]
 
 
-def with_centres(nodes, first):
-    """(nodes of hex8 with the centres of faces and cell as nodes from `first` on, what those are the means of)."""
-    faces = nodes[:, HEX_FACES].reshape(-1, 4)
-    _, where, number = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_inverse=True)
-    of_cells = first + len(where) + np.arange(len(nodes))
-    return np.column_stack([nodes, first + number.reshape(-1, 6), of_cells]), [faces[where], nodes]
+def centres_of(kind):
+    """(local nodes of which the centres of quadrilaterals are the mean, those of the cell's centre) that cells lack."""
+    if kind == HEX8:
+        return HEX_FACES, tuple(range(8))
+    if kind == 8:
+        return WEDGE_FACES[:3], tuple(range(6))
+    if kind in (40, 41):
+        return WEDGE_QUADRILATERALS if kind == 40 else [], (12, 13, 14)
+    return [], ()
+
+
+def with_centres(kind, nodes, first):
+    """(nodes of cells with the centres that they lack as nodes from `first` on, what those are the means of)."""
+    of_faces, of_cell = centres_of(kind)
+    means, columns = [], [nodes]
+    if of_faces:
+        faces = nodes[:, of_faces].reshape(-1, 4)
+        _, where, number = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_inverse=True)
+        columns.append(first + number.reshape(-1, len(of_faces)))
+        means.append(faces[where])
+        first += len(where)
+    if of_cell:
+        columns.append(first + np.arange(len(nodes)))
+        means.append(nodes[:, of_cell])
+    return np.column_stack(columns), means
 
 
 class Mesh:
@@ -121,9 +153,8 @@ def outer_surface(mesh):
     for b, chosen, face in outer_faces(mesh):
         kind, ids, nodes = mesh.blocks[b]
         nodes = nodes[chosen]
-        if kind == HEX8:
-            nodes, more = with_centres(nodes, count + sum(map(len, means)))
-            means += more
+        nodes, more = with_centres(kind, nodes, count + sum(map(len, means)))
+        means += more
         for local, edges in face_triangles(kind, face):
             triangles.append(nodes[:, local])
             cells.append(ids[chosen])
@@ -168,8 +199,8 @@ class Section(Triangles):
             of_cells = level[nodes]
             chosen = (of_cells.max(axis=1) > 0) & (of_cells.min(axis=1) <= 0)
             nodes = nodes[chosen]
-            if kind == HEX8 and len(nodes):
-                nodes, more = with_centres(nodes, count + sum(map(len, means)))
+            if len(nodes):
+                nodes, more = with_centres(kind, nodes, count + sum(map(len, means)))
                 means += more
             for local in cell_tetrahedra(kind):
                 tetrahedra.append(nodes[:, local])

@@ -29,7 +29,7 @@ CELLS = np.array([2, 3, 2])
 
 
 def box_in_space(kind, size=SIZE):
-    """(topology, offset, points) of the box from 0 to size in CELLS, tetrahedra six to a cell; inner nodes are shifted."""
+    """(topology, offset, points) of the box from 0 to size in CELLS, tetrahedra six to a cell, wedges two; inner nodes are shifted."""
     hexahedron = np.array([[int(c) for c in place] for place in HEX27.split()])
     if kind in (6, 38):
         shapes = []
@@ -39,6 +39,13 @@ def box_in_space(kind, size=SIZE):
                 corners = corners[[0, 2, 1, 3]]
             middles = [(corners[a] + corners[b]) // 2 for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
             shapes.append(np.vstack([corners, middles])[: 4 if kind == 6 else 10])
+    elif kind in (8, 40, 41):
+        shapes = []
+        for triangle in (((0, 0), (2, 0), (2, 2)), ((0, 0), (2, 2), (0, 2))):
+            corners = np.array([(*place, z) for z in (0, 2) for place in triangle])
+            of_edges = [(corners[a] + corners[b]) // 2 for a, b in report_space.WEDGE_EDGES]
+            of_faces = [corners[list(face)].sum(axis=0) // 4 for face in report_space.WEDGE_FACES[:3]]
+            shapes.append(np.vstack([corners, of_edges, of_faces])[: report_space.CELLS[kind]])
     else:
         shapes = [hexahedron[:8] if kind == 9 else hexahedron]
     cells = np.array(
@@ -137,30 +144,40 @@ class SpaceTest(unittest.TestCase):
         for kind, faces, pieces in ((6, 2, 1), (38, 2, 4), (9, 1, 4), (50, 1, 8)):
             mesh = report_space.Mesh(*box_in_space(kind))
             self.assertEqual(sum(len(cells) for _, cells, _ in report_space.outer_faces(mesh)), faces * quadrilaterals)
-            surface = report_space.outer_surface(mesh)
-            self.assertEqual(len(surface.triangles), faces * pieces * quadrilaterals)
-            points = surface.at_places(mesh.points)
-            area = 2 * (SIZE[0] * SIZE[1] + SIZE[1] * SIZE[2] + SIZE[2] * SIZE[0])
-            self.assertAlmostEqual(areas(points, surface.triangles).sum(), area)
-            # by the divergence theorem: right only if every triangle is turned outwards
-            corners = points[surface.triangles]
-            self.assertAlmostEqual(np.linalg.det(corners).sum() / 6, SIZE.prod())
-            lengths = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
-            self.assertAlmostEqual(lengths[surface.sides == 2].sum(), 2 * 4 * SIZE.sum())  # each seen by two triangles
+            self.check_surface(mesh, faces * pieces * quadrilaterals)
+
+    def test_outer_faces_of_wedges(self):
+        upright, level = 2 * (CELLS[0] + CELLS[1]) * CELLS[2], 2 * 2 * CELLS[0] * CELLS[1]
+        for kind, of_quadrilateral, of_triangle in ((8, 4, 1), (40, 8, 4), (41, 8, 4)):
+            mesh = report_space.Mesh(*box_in_space(kind))
+            self.assertEqual(sum(len(cells) for _, cells, _ in report_space.outer_faces(mesh)), upright + level)
+            self.check_surface(mesh, of_quadrilateral * upright + of_triangle * level)
+
+    def check_surface(self, mesh, triangles):
+        surface = report_space.outer_surface(mesh)
+        self.assertEqual(len(surface.triangles), triangles)
+        points = surface.at_places(mesh.points)
+        area = 2 * (SIZE[0] * SIZE[1] + SIZE[1] * SIZE[2] + SIZE[2] * SIZE[0])
+        self.assertAlmostEqual(areas(points, surface.triangles).sum(), area)
+        # by the divergence theorem: right only if every triangle is turned outwards
+        corners = points[surface.triangles]
+        self.assertAlmostEqual(np.linalg.det(corners).sum() / 6, SIZE.prod())
+        lengths = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+        self.assertAlmostEqual(lengths[surface.sides == 2].sum(), 2 * 4 * SIZE.sum())  # each seen by two triangles
 
     def test_cells_are_filled_by_their_tetrahedra(self):
-        for kind in (6, 38, 9, 50):
+        for kind in (6, 38, 9, 50, 8, 40, 41):
             mesh = report_space.Mesh(*box_in_space(kind))
             nodes, points = mesh.blocks[0][2], mesh.points
-            if kind == 9:
-                nodes, means = report_space.with_centres(nodes, len(points))
+            nodes, means = report_space.with_centres(kind, nodes, len(points))
+            if means:
                 points = np.concatenate([points] + [points[group].mean(axis=1) for group in means])
             corners = points[nodes[:, report_space.cell_tetrahedra(kind)]].reshape(-1, 4, 3)
             volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
             self.assertAlmostEqual(np.abs(volumes).sum(), SIZE.prod())
 
     def test_section_through_a_linear_field_is_exact(self):
-        for kind, axis, at in itertools.product((6, 38, 9, 50), (0, 1), (0.0, 0.37, 0.5, 1.0)):
+        for kind, axis, at in itertools.product((6, 38, 9, 50, 8, 40, 41), (0, 1), (0.0, 0.37, 0.5, 1.0)):
             mesh = report_space.Mesh(*box_in_space(kind))
             at *= SIZE[axis]  # sides, a plane through cells, and those between cells
             section = report_space.Section(mesh, axis, at)
@@ -252,7 +269,7 @@ class SpaceTest(unittest.TestCase):
         self.assertEqual(written, expected | {"pore_pressure_t_0.png", "void_ratio_t_0.png"})
 
     def test_picture_has_both_sections_and_readable_units(self):
-        for kind in (6, 9, 38, 50):
+        for kind in (6, 9, 38, 50, 40):
             write_space_result(self.folder / f"box{kind}.h5", kind, (0, 0, 1))
             self.check_picture(FieldResult(self.folder / f"box{kind}.h5"))
 

@@ -144,8 +144,6 @@ bool Ale::folded(const Positions& x) const {
 void Ale::place_mid_side_nodes(Positions& x) const {
   int all[27];
   std::iota(all, all + 27, 0);
-  std::vector<std::vector<int>> faces;
-  for (int s = 0; s < num_sides(CellShape::hex27); ++s) faces.push_back(side_nodes(CellShape::hex27, s));
   for (const auto& element : mesh_.elements()) {
     if (order(element.shape) == 1) continue;
     const CellShape shape = element.shape;
@@ -161,7 +159,6 @@ void Ale::place_mid_side_nodes(Positions& x) const {
       if (!mesh_.on_boundary(n[a]))
         for (int d = 0; d < place_size; ++d) x[n[a]][d] = 0.5 * (x[n[from]][d] + x[n[to]][d]);
     }
-    if (is_simplex(shape)) continue;
     // centres are transfinite: exact for straight edges
     const auto centre = [&](const int* quadrilateral) {  // its corners, mid-side nodes and centre
       const int* edges = quadrilateral + 4;
@@ -171,8 +168,9 @@ void Ale::place_mid_side_nodes(Positions& x) const {
           x[at][d] = 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
     };
     if (shape == CellShape::quad9) centre(all);
+    for (int s = 0; s < num_sides(shape); ++s)
+      if (side_shape(shape, s) == CellShape::quad9) centre(side_nodes(shape, s).data());
     if (shape != CellShape::hex27) continue;
-    for (const auto& face : faces) centre(face.data());
     for (int d = 0; d < place_size; ++d)
       x[n[26]][d] = 0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
   }

@@ -8,13 +8,13 @@ namespace mudline {
 
 namespace {
 
-/// Side [m] of the square or cube that the element fills: a triangle half, a tetrahedron a sixth of it.
+/// Side [m] of the square or cube that the element fills: a triangle or a wedge half, a tetrahedron a sixth of it.
 double size_of(const GhostedMesh::Element& element, const Positions& x) {
   const int corners = num_corners(element.shape);
   if (dimension(element.shape) == 3) {
     const CellShape shape = linear_partner(element.shape);
     const ElementMap map(shape, [&](int a) { return x[element.nodes[a]].data(); });
-    return std::cbrt(std::abs(map.determinant(cell_centre(shape).data()) * (corners == 4 ? 1 : 8)));
+    return std::cbrt(std::abs(map.determinant(cell_centre(shape).data()) * reference_size(shape) * per_box(shape)));
   }
   double area2 = 0;
   for (int a = 0; a < corners; ++a) {

@@ -255,9 +255,9 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mes
     global_nodes.emplace_back(record + 3, record + Records::length(record));
     elements_.push_back(element);
     for (int s = 0; s < num_sides(element.shape); ++s) {
-      const std::vector<int> local = side_nodes(element.shape, s);
+      const std::vector<int>& local = side_nodes(element.shape, s);
       long long corners[4];
-      const int count = num_corners(side_shape(element.shape));
+      const int count = num_corners(side_shape(element.shape, s));
       for (int k = 0; k < count; ++k) corners[k] = record[3 + local[k]];
       const SideKey key = sorted_key(corners, count);
       const auto found = open.find(key);
@@ -297,7 +297,7 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mes
       for (int s = 0; s < num_sides(elements_[e].shape); ++s) {
         const int other = elements_[e].neighbours[s];
         if (other >= 0 && elements_[other].block == elements_[e].block) continue;
-        const std::vector<int> local = side_nodes(elements_[e].shape, s);
+        const std::vector<int>& local = side_nodes(elements_[e].shape, s);
         const Ids& of = sets[{e, s}];
         boundary.insert(boundary.end(), {element_ids[e], s, elements_[e].block, other < 0 ? -1 : elements_[other].block,
                                          other < 0 || other > e, static_cast<long long>(local.size()),

@@ -35,8 +35,10 @@ Corners find_corners(CellShape shape) {
 const Corners& corners_of(CellShape shape) {
   static const std::map<CellShape, Corners> all = [] {
     std::map<CellShape, Corners> found;
-    for (CellShape s : {CellShape::tri3, CellShape::quad4, CellShape::tet4, CellShape::hex8})
-      found[s] = find_corners(s);
+    for (int s = 0; s < num_shapes; ++s) {
+      const auto shape = static_cast<CellShape>(s);
+      if (order(shape) == 1 && dimension(shape) > 1) found[shape] = find_corners(shape);
+    }
     return found;
   }();
   return all.at(linear_partner(shape));

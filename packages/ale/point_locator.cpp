@@ -63,7 +63,7 @@ class SeenLine {
 class SeenSide {
  public:
   SeenSide(const GhostedMesh::Element& element, int side, const Positions& x, const Point& point)
-      : shape_(side_shape(element.shape)) {
+      : shape_(side_shape(element.shape, side)) {
     for (int a : side_nodes(element.shape, side)) off_.push_back(x[element.nodes[a]] - point);
   }
   /// Sets `place` (coordinates of the side) to the closest point and `least` to its distance [m], if that is below

@@ -24,7 +24,7 @@ struct SideFigures {
 SideFigures figures(const Mesh& mesh, const Side& side) {
   const ElementBlock& block = mesh.blocks()[side.block];
   const std::vector<int> local = side_nodes(block.shape, side.side);
-  const int count = num_corners(side_shape(block.shape));
+  const int count = num_corners(side_shape(block.shape, side.side));
   SideFigures result;
   for (int c = 0; c < count; ++c) {
     result.corners.push_back(mesh.place(block.nodes(side.element, local[c])));

@@ -63,7 +63,7 @@ double PenetrationWatch::shortest_side(const Model& model, const std::string& su
   for (const Side& side : model.mesh().side_sets().at(surface)) {
     const ElementBlock& block = model.mesh().blocks()[side.block];
     const std::vector<int> local = side_nodes(block.shape, side.side);
-    const int corners = num_corners(side_shape(block.shape));
+    const int corners = num_corners(side_shape(block.shape, side.side));
     for (int c = 0; c < (corners == 2 ? 1 : corners); ++c)
       shortest =
           std::min(shortest, length(place_of(state.coordinates, block.nodes(side.element, local[c])) -
@@ -83,7 +83,7 @@ PenetrationWatch::Pressed PenetrationWatch::pressed(const Model& model, const st
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const ElementBlock& block = model.mesh().blocks()[sides[s].block];
     const std::vector<int> local = side_nodes(block.shape, sides[s].side);
-    const int corners = num_corners(side_shape(block.shape)), edges = corners == 2 ? 1 : corners;
+    const int corners = num_corners(side_shape(block.shape, sides[s].side)), edges = corners == 2 ? 1 : corners;
     double edge = 0, most = 0;
     for (int c = 0; c < corners; ++c) {
       const int node = block.nodes(sides[s].element, local[c]),

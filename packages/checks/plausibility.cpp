@@ -368,7 +368,7 @@ double Plausibility::pressure_time(const Section& deck, std::size_t number) cons
     for (const Side& side : model_.mesh().side_sets().at(load.set)) {
       const ElementBlock& block = model_.mesh().blocks()[side.block];
       const std::vector<int> local = side_nodes(block.shape, side.side);
-      const int corners = num_corners(side_shape(block.shape));
+      const int corners = num_corners(side_shape(block.shape, side.side));
       bool drained = true;
       Point middle{};
       for (int c = 0; c < corners; ++c) {

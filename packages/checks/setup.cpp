@@ -182,7 +182,7 @@ const Setup::SetFigures& Setup::set(const std::string& name) const {
       const ElementBlock& block = mesh().blocks()[side.block];
       const std::vector<int> local = side_nodes(block.shape, side.side);
       const auto at = [&](int a) { return mesh().place(block.nodes(side.element, local[a])); };
-      const int corners = num_corners(side_shape(block.shape));
+      const int corners = num_corners(side_shape(block.shape, side.side));
       const Point across = at(corners == 4 ? 2 : 1) - at(0);
       const Point other = dimension() == 3 ? at(corners == 4 ? 3 : 2) - at(corners == 4 ? 1 : 0) : Point{0, 0, 1};
       const Point normal = cross(across, other);

@@ -33,11 +33,11 @@ double size_of(const Mesh& mesh, CellShape shape, Node&& node) {
 }
 
 /// Height of an element above a side, from the corners only: its size over that of the side, times its dimension for a
-/// triangle or a tetrahedron.
+/// triangle or a tetrahedron, times 2 for a quadrilateral of a wedge.
 double height_above(const Mesh& mesh, const ElementBlock& block, const SurfaceSide& side) {
   const double content = size_of(mesh, block.shape, [&](int a) { return block.nodes(side.element, a); });
   const double base = size_of(mesh, side.shape, [&](int a) { return side.node[a]; });
-  return (is_simplex(block.shape) ? mesh.dimension() : 1) * content / base;
+  return per_box(block.shape) / per_box(side.shape) * content / base;
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
   std::map<CellShape, int> rows;
   for (const Side& side : mesh_.side_sets().at(side_set)) {
     const ElementBlock& block = mesh_.blocks()[side.block];
-    SurfaceSide here{side.block, side.element, side.side, side_shape(block.shape), 0, {}, 0, 0};
+    SurfaceSide here{side.block, side.element, side.side, side_shape(block.shape, side.side), 0, {}, 0, 0};
     for (int local : side_nodes(block.shape, side.side)) here.node[here.count++] = block.nodes(side.element, local);
     here.row = rows[here.shape]++;
     here.height = height_above(mesh_, block, here);

@@ -13,7 +13,7 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
   for (const Side& side : mesh.side_sets().at(side_set)) {
     const ElementBlock& block = mesh.blocks()[side.block];
     const std::vector<int> nodes = side_nodes(block.shape, side.side);
-    mine.push_back(static_cast<long long>(side_shape(block.shape)));
+    mine.push_back(static_cast<long long>(side_shape(block.shape, side.side)));
     for (int i = 0; i < width - 1; ++i)
       mine.push_back(i < static_cast<int>(nodes.size()) ? mesh.node_ids()[block.nodes(side.element, nodes[i])] : -1);
   }

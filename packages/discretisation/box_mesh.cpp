@@ -22,8 +22,10 @@ double scatter(std::uint64_t key) {
 
 const std::vector<std::pair<std::string, CellShape>>& cell_words() {
   static const std::vector<std::pair<std::string, CellShape>> words{
-      {"quad9", CellShape::quad9}, {"tri6", CellShape::tri6},   {"quad4", CellShape::quad4}, {"tri3", CellShape::tri3},
-      {"hex27", CellShape::hex27}, {"tet10", CellShape::tet10}, {"hex8", CellShape::hex8},   {"tet4", CellShape::tet4}};
+      {"quad9", CellShape::quad9},     {"tri6", CellShape::tri6},    {"quad4", CellShape::quad4},
+      {"tri3", CellShape::tri3},       {"hex27", CellShape::hex27},  {"tet10", CellShape::tet10},
+      {"hex8", CellShape::hex8},       {"tet4", CellShape::tet4},    {"wedge15", CellShape::wedge15},
+      {"wedge18", CellShape::wedge18}, {"wedge6", CellShape::wedge6}};
   return words;
 }
 
@@ -32,12 +34,14 @@ const std::vector<std::pair<std::string, CellShape>>& cell_words() {
 void BoxMesh::parameters(Parameters& p) {
   position_.remember(p);
   dimension_ = mudline::dimension(declare_geometry(p));
-  p.choice("cell", cell_, cell_words(),
-           "Element shape: in the plane quad9 (default), tri6, quad4 or tri3, in space hex27 (default), tet10, hex8 or "
-           "tet4; quad9, tri6, hex27 and tet10 are quadratic");
+  p.choice(
+      "cell", cell_, cell_words(),
+      "Element shape: in the plane quad9 (default), tri6, quad4 or tri3, in space hex27 (default), tet10, wedge15, "
+      "wedge18, hex8, tet4 or wedge6; quad4, tri3, hex8, tet4 and wedge6 are linear, the others quadratic");
   cell_given_ = p.given("cell");
   p.required("cells", cells_, "-", closed(1, 1e6),
-             "Number of cells along x and y, in space also z; triangles halve each cell, tetrahedra cut it into six");
+             "Number of cells along x and y, in space also z; triangles and wedges halve each cell, tetrahedra cut it "
+             "into six");
   p.add("lower", lower_, "m", any(), "Lower left corner, in space lower left front corner; the origin by default");
   p.required("upper", upper_, "m", any(), "The opposite corner");
   p.add("grading", grading_, "-", any(), "Size of the last cell over that of the first, along each direction");
@@ -120,6 +124,7 @@ GlobalMesh BoxMesh::generate() const {
     for (cell[1] = 0; cell[1] < count_[1]; ++cell[1])
       for (cell[0] = 0; cell[0] < count_[0]; ++cell[0]) add_cell(cell, block_of_row[cell[vertical]], mesh);
   place_mid_side_nodes(mesh);
+  if (cell_ == CellShape::wedge15) drop_unused_nodes(mesh);
   return mesh;
 }
 
@@ -188,6 +193,21 @@ void BoxMesh::place_mid_side_nodes(GlobalMesh& mesh) const {
     }
 }
 
+void BoxMesh::drop_unused_nodes(GlobalMesh& mesh) {
+  std::vector<long long> number(mesh.coordinates.size(), -1);
+  for (const auto& block : mesh.blocks)
+    for (const long long node : block.nodes) number[node] = 0;
+  std::vector<Point> used;
+  for (std::size_t node = 0; node < number.size(); ++node) {
+    if (number[node] < 0) continue;
+    number[node] = static_cast<long long>(used.size());
+    used.push_back(mesh.coordinates[node]);
+  }
+  mesh.coordinates = std::move(used);
+  for (auto& block : mesh.blocks)
+    for (long long& node : block.nodes) node = number[node];
+}
+
 std::vector<int> BoxMesh::blocks_of_rows(const std::vector<double>& heights, GlobalMesh& mesh) const {
   const std::vector<std::string> regions = layer_regions_.empty() ? std::vector<std::string>{region_} : layer_regions_;
   const int vertical = dimension_ - 1;
@@ -220,7 +240,7 @@ std::vector<std::vector<BoxMesh::Index>> BoxMesh::triangles(const Index& cell) c
   const auto [i, j, k] = cell;
   const bool corner = (i == 0 || i == count_[0] - 1) && (j == 0 || j == count_[1] - 1);
   const bool rising = corner ? (i == 0) == (j == 0) : (i + j) % 2 == 0;
-  const Index a{i, j, 0}, b{i + 1, j, 0}, c{i + 1, j + 1, 0}, d{i, j + 1, 0};
+  const Index a{i, j, k}, b{i + 1, j, k}, c{i + 1, j + 1, k}, d{i, j + 1, k};
   if (rising) return {{a, b, c}, {a, c, d}};
   return {{a, b, d}, {b, c, d}};
 }
@@ -252,6 +272,12 @@ std::vector<std::vector<BoxMesh::Index>> BoxMesh::tetrahedra(const Index& cell) 
 
 std::vector<std::vector<BoxMesh::Index>> BoxMesh::elements(const Index& cell) const {
   if (is_simplex(cell_)) return dimension_ == 2 ? triangles(cell) : tetrahedra(cell);
+  if (simplex_coordinates(cell_) == 2) {  // wedges
+    std::vector<std::vector<Index>> result = triangles(cell);
+    for (std::vector<Index>& corners : result)
+      for (int c = 0; c < 3; ++c) corners.push_back({corners[c][0], corners[c][1], cell[2] + 1});
+    return result;
+  }
   std::vector<Index> corners;
   for (int c = 0; c < num_corners(cell_); ++c) {
     const Vec<double, 3> place = reference_node(cell_, c);

@@ -13,7 +13,7 @@ namespace mudline {
 /// Horizontal layers may be named regions. Nodes are numbered along x, then y, then z. Triangles cut each cell along
 /// diagonals of alternating direction that pass through the corners of the box; tetrahedra cut it into six along a
 /// diagonal of the cell, mirrored from cell to cell, that passes through the corners of the box: with two cells or more
-/// in each direction no tetrahedron has all its nodes on sides of the box.
+/// in each direction no tetrahedron has all its nodes on sides of the box. Wedges are triangles drawn upwards.
 class BoxMesh : public MeshSource {
  public:
   void parameters(Parameters& p);
@@ -31,12 +31,15 @@ class BoxMesh : public MeshSource {
   void place_nodes(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
   void move_vertices(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
   void place_mid_side_nodes(GlobalMesh& mesh) const;
+  /// Numbers the nodes anew without those of the grid that no element has.
+  static void drop_unused_nodes(GlobalMesh& mesh);
   /// Adds the blocks and returns the block of each layer of cells, from the bottom up.
   std::vector<int> blocks_of_rows(const std::vector<double>& heights, GlobalMesh& mesh) const;
   /// Adds a cell and its sides on the boundary.
   void add_cell(const Index& cell, int block, GlobalMesh& mesh) const;
   /// Corners of the elements that a cell is cut into.
   std::vector<std::vector<Index>> elements(const Index& cell) const;
+  /// The triangles in the plane of the cell's lower corners.
   std::vector<std::vector<Index>> triangles(const Index& cell) const;
   std::vector<std::vector<Index>> tetrahedra(const Index& cell) const;
   void add_sides(const std::vector<Index>& corners, const GlobalMesh::Side& element, GlobalMesh& mesh) const;

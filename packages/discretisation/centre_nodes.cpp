@@ -11,7 +11,8 @@ using Tag = CentreNodes::Tag;
 std::vector<std::vector<int>> faces_of(CellShape shape) {
   std::vector<std::vector<int>> faces;
   if (mudline::dimension(shape) == 3)
-    for (int s = 0; s < num_sides(shape); ++s) faces.push_back(side_nodes(shape, s));
+    for (int s = 0; s < num_sides(shape); ++s)
+      if (side_shape(shape, s) == CellShape::quad9) faces.push_back(side_nodes(shape, s));
   return faces;
 }
 
@@ -25,8 +26,8 @@ std::array<Tag, 4> corners_of(const std::vector<int>& face, const Tag* cell) {
 }  // namespace
 
 void CentreNodes::note(CellShape shape, const std::vector<Tag>& nodes) {
-  if (shape != CellShape::hex27) return;
   const std::vector<std::vector<int>> faces = faces_of(shape);
+  if (faces.empty()) return;
   for (std::size_t first = 0; first < nodes.size(); first += num_nodes(shape)) {
     const Tag* const cell = nodes.data() + first;
     for (const std::vector<int>& face : faces)
@@ -45,7 +46,7 @@ void CentreNodes::add(CellShape shape, std::vector<Tag>& nodes) {
     Tag* const cell = nodes.data() + first;
     if (cell[n - 1] != missing) continue;
     for (const std::vector<int>& face : faces) cell[face.back()] = centre_of_face(face, cell);
-    cell[n - 1] = centre(all_corners, all_edges, cell);
+    if (cell[n - 1] == missing) cell[n - 1] = centre(all_corners, all_edges, cell);
   }
 }
 

@@ -9,7 +9,8 @@
 
 namespace mudline {
 
-/// Adds the centre nodes of faces and cells that 8-node quadrilaterals and 20-node hexahedra lack. They are placed by
+/// Adds the centre nodes of faces and cells that 8-node quadrilaterals, 20-node hexahedra and, beside complete
+/// neighbours, 15-node prisms lack. They are placed by
 /// the serendipity shape functions of the element, so that the map of the cell stays the same polynomial and the
 /// geometry does not change. Neighbours share the node of their common face; a node that the neighbour already has is
 /// used.

@@ -88,19 +88,21 @@ void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
 void check_sides(const GlobalMesh& mesh) {
   struct Seen {
     SideKey orientation;
-    long long mid_side_node;
+    CellShape shape;
+    long long centre;   // -1: its shape has none
     bool both = false;  // seen from both elements
   };
   std::vector<Seen> sides;  // by number
   SideTable table(count_over_elements(mesh, num_sides) / 2 + 1);
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
     const GlobalMesh::Block& block = mesh.blocks[place.block];
-    const int corners = num_corners(side_shape(block.shape));
+    const CellShape shape = side_shape(block.shape, place.side);
+    const int corners = num_corners(shape);
     const SideKey orientation = directed_key(nodes.data(), corners);
-    const bool has_mid_side_node = nodes.size() == 9 || (nodes.size() == 3 && corners == 2);
-    const long long mid_side_node = has_mid_side_node ? nodes.back() : -1;
+    const bool has_centre = shape == CellShape::quad9 || shape == CellShape::line3;
+    const long long centre_node = has_centre ? nodes.back() : -1;
     const std::size_t number = table.number(sorted_key(nodes.data(), corners));
-    if (number == sides.size()) return sides.push_back({orientation, mid_side_node});
+    if (number == sides.size()) return sides.push_back({orientation, shape, centre_node});
     Seen& seen = sides[number];
     const auto where = [&] {
       return " in region '" + block.region + "' centred at " +
@@ -112,7 +114,10 @@ void check_sides(const GlobalMesh& mesh) {
     if (seen.orientation != reversed_key(orientation))
       throw InputError("neighbours do not fit: the corners of their common side go round in different orders, one is" +
                        where());
-    if (seen.mid_side_node != mid_side_node)
+    if (seen.shape != shape)
+      throw InputError("neighbours do not fit: their common side has " + std::to_string(num_nodes(seen.shape)) +
+                       " nodes in one and " + std::to_string(num_nodes(shape)) + " in the other, which is" + where());
+    if (seen.centre != centre_node)
       throw InputError("neighbours do not share the node in the middle of their common " +
                        (corners == 2 ? "side from " + corner(std::min(nodes[0], nodes[1])) + " to " +
                                            corner(std::max(nodes[0], nodes[1]))
@@ -129,7 +134,7 @@ void check_edges(const GlobalMesh& mesh) {
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
     if (order(block.shape) == 1) return;
     for (int edge = 0; edge < num_edges(block.shape); ++edge) {
-      const std::array<int, 2> ends = edge_corners(block.shape, edge);
+      const std::array<int, 2>& ends = edge_corners(block.shape, edge);
       const long long corners[2] = {nodes[ends[0]], nodes[ends[1]]},
                       mid_side_node = nodes[num_corners(block.shape) + edge];
       const std::size_t number = table.number(sorted_key(corners, 2));

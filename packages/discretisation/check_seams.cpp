@@ -82,7 +82,7 @@ bool Seams::lies_along(const SeamSide& smaller, const SeamSide& larger) const {
   const double size = std::min(smaller.size, larger.size);
   const std::vector<int> joined = smaller.corners > 2 ? common(smaller, larger) : std::vector<int>{};
   int close = 0;
-  for (const auto& sample : side_samples(side_shape(map.shape()), false)) {
+  for (const auto& sample : side_samples(side_shape(map.shape(), place.side), false)) {
     const Point x = map.at(on_side(map.shape(), place.side, sample).data());
     // close to the common edge of two faces that open like a book, the distance says nothing
     if (joined.size() == 2 &&
@@ -196,10 +196,12 @@ void Seams::check_overlap() {
     const ElementMap map = element_map(mesh_, side.at.place.block, side.at.place.element);
     const CellShape shape = map.shape();
     const Vec<double, 3> middle = cell_centre(shape);
-    for (const auto& sample : side_samples(side_shape(shape), true)) {
+    const CellShape face = side_shape(shape, side.at.place.side);
+    // the depth of the cell below its side over that of its centre
+    const double depth = is_simplex(shape) ? num_corners(shape) : 1 + per_box(shape) / per_box(face);
+    for (const auto& sample : side_samples(face, true)) {
       Vec<double, 3> xi = on_side(shape, side.at.place.side, sample);
-      for (int i = 0; i < dimension(shape); ++i)
-        xi[i] += seam_closeness * (middle[i] - xi[i]) * (is_simplex(shape) ? num_corners(shape) : 2);
+      for (int i = 0; i < dimension(shape); ++i) xi[i] += seam_closeness * (middle[i] - xi[i]) * depth;
       const Point x = map.at(xi.data());
       grid.near({x, x}, [&](int e) { look_into(side, x, e); });
     }

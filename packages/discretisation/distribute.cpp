@@ -44,7 +44,9 @@ std::vector<int> metis_partition(const GlobalMesh& mesh, int ranks, long long el
   }
   idx_t num_elements = static_cast<idx_t>(elements), num_nodes = static_cast<idx_t>(mesh.coordinates.size());
   idx_t common = 4, parts = ranks, cut = 0;  // `common`: the number of corners that neighbours share
-  for (const auto& block : mesh.blocks) common = std::min<idx_t>(common, num_corners(side_shape(block.shape)));
+  for (const auto& block : mesh.blocks)
+    for (int s = 0; s < mudline::num_sides(block.shape); ++s)
+      common = std::min<idx_t>(common, num_corners(side_shape(block.shape, s)));
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;

@@ -10,12 +10,10 @@ namespace mudline {
 
 namespace {
 
-constexpr int shapes = static_cast<int>(CellShape::hex27) + 1;
-
 /// Data of a reference cell, tabulated for inner loops.
 struct Reference {
   struct Side {
-    int direction = -1;  // coordinate that is constant on the side; -1: the slanted side of a triangle or tetrahedron
+    int direction = -1;  // coordinate that is constant on the side; -1: the slanted side of a simplex or a wedge
     double at = 0;       // value of that coordinate
     Vec<double, 3> corner{}, along[2]{};
   };
@@ -30,7 +28,7 @@ struct Reference {
 Reference::Reference(CellShape shape) {
   const int dim = dimension(shape);
   for (int s = 0; s < num_sides(shape); ++s) {
-    const std::vector<int> on = side_nodes(linear_partner(shape), s);
+    const std::vector<int>& on = side_nodes(linear_partner(shape), s);
     Side side;
     side.corner = reference_node(shape, on[0]);
     for (int d = 0; d < dim; ++d) {
@@ -53,13 +51,13 @@ Reference::Reference(CellShape shape) {
     edges.push_back(here);
   }
   for (int a = 0; a < num_nodes(shape); ++a) nodes.push_back(reference_node(shape, a));
-  if (order(shape) == 2 && is_simplex(shape)) nodes.push_back(cell_centre(shape));
+  if (order(shape) == 2 && simplex_coordinates(shape) > 0) nodes.push_back(cell_centre(shape));
 }
 
 const Reference& Reference::of(CellShape shape) {
   static const std::vector<Reference> all = [] {
     std::vector<Reference> list;
-    for (int s = 0; s < shapes; ++s) list.emplace_back(static_cast<CellShape>(s));
+    for (int s = 0; s < num_shapes; ++s) list.emplace_back(static_cast<CellShape>(s));
     return list;
   }();
   return all[static_cast<int>(shape)];
@@ -68,7 +66,7 @@ const Reference& Reference::of(CellShape shape) {
 double beyond(CellShape shape, const Reference::Side& side, const double* xi) {
   if (side.direction >= 0) return side.at > 0 ? xi[side.direction] - side.at : side.at - xi[side.direction];
   double sum = xi[0];
-  for (int d = 1; d < dimension(shape); ++d) sum += xi[d];
+  for (int d = 1; d < simplex_coordinates(shape); ++d) sum += xi[d];
   return sum - 1;
 }
 
@@ -78,10 +76,7 @@ double length_of(int dimension, const double* v) {
 }
 
 /// Factor that makes the determinant 1 for the ideal cell with edges of length 1.
-double ideal(CellShape shape) {
-  if (dimension(shape) == 2) return is_simplex(shape) ? 2 / std::sqrt(3.0) : 4.0;  // sin 60 deg; side 2 of the square
-  return is_simplex(shape) ? std::sqrt(2.0) : 8.0;  // six times the volume of the regular tetrahedron; the cube
-}
+double ideal(CellShape shape) { return equilateral(shape) * reference_size(shape); }
 
 }  // namespace
 
@@ -97,15 +92,14 @@ double outside_cell(CellShape shape, const double* xi) {
 
 Vec<double, 3> cell_centre(CellShape shape) {
   Vec<double, 3> centre{};
-  if (!is_simplex(shape)) return centre;
-  for (int d = 0; d < dimension(shape); ++d) centre[d] = 1.0 / num_corners(shape);
+  for (int d = 0; d < simplex_coordinates(shape); ++d) centre[d] = 1.0 / (simplex_coordinates(shape) + 1);
   return centre;
 }
 
 Vec<double, 3> on_side(CellShape shape, int side, const Vec<double, 2>& place) {
   const Reference::Side& s = Reference::of(shape).sides[side];
   Vec<double, 3> result = s.corner;
-  const CellShape own = side_shape(shape);
+  const CellShape own = side_shape(shape, side);
   for (int k = 0; k < dimension(own); ++k)
     for (int d = 0; d < 3; ++d) result[d] += (is_simplex(own) ? place[k] : 0.5 * (1 + place[k])) * s.along[k][d];
   return result;
@@ -144,8 +138,8 @@ ElementSize ElementMap::size() const {
   // divergence theorem: each side adds its outward area vector times the vector from a corner of the cell to its centre
   double content = 0, largest = 0;
   for (int s = 0; s < num_sides(shape_); ++s) {
-    const std::vector<int> nodes = side_nodes(shape_, s);
-    const int corners = num_corners(side_shape(shape_));
+    const std::vector<int>& nodes = side_nodes(shape_, s);
+    const int corners = num_corners(side_shape(shape_, s));
     Vec<double, 3> area, middle{};
     for (int c = 0; c < corners; ++c) {
       const Vec<double, 3> from_first = difference(0, nodes[c]);

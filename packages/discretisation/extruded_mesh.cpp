@@ -6,7 +6,7 @@ namespace mudline {
 
 void ExtrudedMesh::parameters(Parameters& p) {
   geometry_ = declare_geometry(p);
-  PlaneMesh::document(p);
+  plane_.parameters(p);
   p.choice("along", along_, {{"z", Along::z}, {"y", Along::y}},
            "z: the plane mesh is a plan, drawn upwards; y: it is an upright section, whose y becomes z, drawn across");
   p.required("length", length_, "m", positive(), "How far it is drawn");
@@ -35,6 +35,7 @@ GlobalMesh ExtrudedMesh::generate() const {
   sweep.layers = layers_;
   sweep.turned = along_ == Along::y;
   sweep.fixed.assign(plane.coordinates.size(), 0);
+  sweep.wedges = plane_.makes_wedges(plane, sweep.fixed);
   sweep.place = [&](const Point& x, double layers) {
     return along_ == Along::z ? Point{x[0], x[1], distance(layers)} : Point{x[0], distance(layers), x[1]};
   };

@@ -86,9 +86,10 @@ struct SetSides {
   std::vector<double> centres;  // (side, 3) mean of the corners [m]
 };
 
-SideKey key_of(const Mesh& mesh, const ElementBlock& block, int element, const std::vector<int>& local) {
+SideKey key_of(const Mesh& mesh, const ElementBlock& block, int element, int side) {
   long long corners[4];
-  const int count = num_corners(side_shape(block.shape));
+  const std::vector<int>& local = side_nodes(block.shape, side);
+  const int count = num_corners(side_shape(block.shape, side));
   for (int c = 0; c < count; ++c) corners[c] = mesh.node_ids()[block.nodes(element, local[c])];
   return sorted_key(corners, count);
 }
@@ -97,11 +98,11 @@ SetSides all_sides(const Mesh& mesh, const std::string& set) {
   SetSides own;
   for (const Side& side : mesh.side_sets().at(set)) {
     const ElementBlock& block = mesh.blocks()[side.block];
-    const std::vector<int> local = side_nodes(block.shape, side.side);
-    const SideKey key = key_of(mesh, block, side.element, local);
+    const std::vector<int>& local = side_nodes(block.shape, side.side);
+    const SideKey key = key_of(mesh, block, side.element, side.side);
     own.keys.insert(own.keys.end(), key.begin(), key.end());
     double middle[3] = {};
-    const int corners = num_corners(side_shape(block.shape));
+    const int corners = num_corners(side_shape(block.shape, side.side));
     for (int c = 0; c < corners; ++c)
       for (int i = 0; i < mesh.dimension(); ++i)
         middle[i] += mesh.coordinates()(block.nodes(side.element, local[c]), i) / corners;
@@ -155,7 +156,8 @@ std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh) {
   std::vector<char> count;          // by number: how many elements have the side
   number.reserve(all);
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
-    number.push_back(table.number(sorted_key(nodes.data(), num_corners(side_shape(mesh.blocks[place.block].shape)))));
+    const CellShape shape = side_shape(mesh.blocks[place.block].shape, place.side);
+    number.push_back(table.number(sorted_key(nodes.data(), num_corners(shape))));
     count.resize(table.size(), 0);
     count[number.back()] = count[number.back()] == 0 ? 1 : 2;
   });
@@ -217,13 +219,11 @@ void require_boundary(const Mesh& mesh, const Section& section, const std::strin
   }
   std::vector<int> elements(count, 0);
   for (const ElementBlock& block : mesh.blocks())
-    for (int s = 0; s < num_sides(block.shape); ++s) {
-      const std::vector<int> local = side_nodes(block.shape, s);
+    for (int s = 0; s < num_sides(block.shape); ++s)
       for (int e = 0; e < block.num_elements; ++e) {
-        const auto found = row.find(key_of(mesh, block, e, local));
+        const auto found = row.find(key_of(mesh, block, e, s));
         if (found != row.end()) ++elements[found->second];
       }
-    }
   elements = reduced(mesh, Teuchos::REDUCE_SUM, elements);
   for (std::size_t k = 0; k < count; ++k)
     if (elements[k] > 1)
@@ -235,7 +235,7 @@ void require_boundary(const Mesh& mesh, const Section& section, const std::strin
 }
 
 Point middle_of(const GlobalMesh& mesh, const ElementSide& side) {
-  const CellShape shape = side_shape(mesh.blocks[side.place.block].shape);
+  const CellShape shape = side_shape(mesh.blocks[side.place.block].shape, side.place.side);
   double N[9], dN[18];
   evaluate_shape(shape, cell_centre(shape).data(), N, dN);
   Point middle{};

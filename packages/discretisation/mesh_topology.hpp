@@ -38,7 +38,7 @@ void for_each_side(const GlobalMesh& mesh, F&& f) {
     const auto& block = mesh.blocks[b];
     const std::size_t n = num_nodes(block.shape);
     for (int s = 0; s < num_sides(block.shape); ++s) {
-      const std::vector<int> local = side_nodes(block.shape, s);
+      const std::vector<int>& local = side_nodes(block.shape, s);
       std::vector<long long> nodes(local.size());
       for (std::size_t e = 0; e < block.nodes.size() / n; ++e) {
         for (std::size_t a = 0; a < local.size(); ++a) nodes[a] = block.nodes[e * n + local[a]];

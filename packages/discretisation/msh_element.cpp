@@ -1,7 +1,8 @@
 #include "discretisation/msh_element.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "discretisation/cells/cell.hpp"
 
 namespace mudline {
 
@@ -46,29 +47,6 @@ constexpr MshElement elements[] = {{1, "Line 2", 1, 2, 2},
                                    {92, "Hexahedron 64", 3, 64, 8},
                                    {93, "Hexahedron 125", 3, 125, 8}};
 
-/// The corners around each higher node (those after the corners), in Gmsh's order. In the plane the cell has the same
-/// order.
-const std::vector<std::vector<int>> tetrahedron = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
-const std::vector<std::vector<int>> hexahedron = {{0, 1},
-                                                  {0, 3},
-                                                  {0, 4},
-                                                  {1, 2},
-                                                  {1, 5},
-                                                  {2, 3},
-                                                  {2, 6},
-                                                  {3, 7},
-                                                  {4, 5},
-                                                  {4, 7},
-                                                  {5, 6},
-                                                  {6, 7},
-                                                  {0, 1, 2, 3},
-                                                  {0, 1, 4, 5},
-                                                  {0, 3, 4, 7},
-                                                  {1, 2, 5, 6},
-                                                  {2, 3, 6, 7},
-                                                  {4, 5, 6, 7},
-                                                  {0, 1, 2, 3, 4, 5, 6, 7}};
-
 }  // namespace
 
 const MshElement* msh_element(int type) {
@@ -78,41 +56,23 @@ const MshElement* msh_element(int type) {
 }
 
 std::optional<CellShape> cell_of(int type) {
-  switch (type) {
-    case 2:
-      return CellShape::tri3;
-    case 3:
-      return CellShape::quad4;
-    case 4:
-      return CellShape::tet4;
-    case 5:
-      return CellShape::hex8;
-    case 9:
-      return CellShape::tri6;
-    case 10:
-    case 16:
-      return CellShape::quad9;
-    case 11:
-      return CellShape::tet10;
-    case 12:
-    case 17:
-      return CellShape::hex27;
-    default:
-      return {};
+  for (int s = 0; s < num_shapes; ++s) {
+    const auto shape = static_cast<CellShape>(s);
+    const std::vector<int>& types = cell(shape).msh_types;
+    if (std::find(types.begin(), types.end(), type) != types.end()) return shape;
   }
+  return {};
 }
 
-std::vector<int> order_of_nodes(int type) {
-  const std::optional<CellShape> shape = cell_of(type);
-  if (!shape) throw std::logic_error("no cell has elements of this type");
-  const int given = msh_element(type)->nodes, corners = num_corners(*shape);
+std::vector<int> order_of_nodes(int type, CellShape shape) {
+  const int given = msh_element(type)->nodes, corners = num_corners(shape);
+  const std::vector<std::vector<int>>& all = cell(shape).msh_around;
   std::vector<int> order;
-  for (int a = 0; a < num_nodes(*shape); ++a) {
+  for (int a = 0; a < num_nodes(shape); ++a) {
     int place = a;
-    if (a >= corners && dimension(*shape) == 3) {
-      std::vector<int> around = corners_around(*shape, a);
+    if (a >= corners && !all.empty()) {
+      std::vector<int> around = corners_around(shape, a);
       std::sort(around.begin(), around.end());
-      const auto& all = is_simplex(*shape) ? tetrahedron : hexahedron;
       place = corners + static_cast<int>(std::find(all.begin(), all.end(), around) - all.begin());
     }
     order.push_back(place < given ? place : -1);

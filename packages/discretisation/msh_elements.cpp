@@ -14,7 +14,7 @@ const MshElement& MshElements::type(long long type) const {
   in_.fail("an element of the type " + std::to_string(type) +
            (known == nullptr ? ", which is unknown" : " ('" + std::string(known->name) + "')") +
            "; allowed: points, lines of 2 or 3 nodes, triangles of 3 or 6, quadrilaterals of 4, 8 or 9, tetrahedra of "
-           "4 or 10, hexahedra of 8, 20 or 27");
+           "4 or 10, hexahedra of 8, 20 or 27, prisms of 6, 15 or 18");
 }
 
 void MshElements::name_group(int dimension, long long group, const std::string& name) {

@@ -170,10 +170,13 @@ QuadratureRule line_quadrature(int degree) {
 }
 
 QuadratureRule cell_quadrature(CellShape shape, int degree) {
-  if (is_simplex(shape)) return dimension(shape) == 2 ? triangle_quadrature(degree) : tetrahedron_quadrature(degree);
-  const QuadratureRule line = line_quadrature(degree);
+  const int simplex = simplex_coordinates(shape);
   QuadratureRule rule{{{0, 0, 0}}, {1.0}};
-  for (int d = 0; d < dimension(shape); ++d) {  // the first direction runs fastest
+  if (simplex > 0) rule = simplex == 2 ? triangle_quadrature(degree) : tetrahedron_quadrature(degree);
+  // with two points along a quadratic wedge the triangle's rule of degree 2 would leave modes without stiffness
+  const bool three = simplex == 2 && order(shape) == 2;
+  for (int d = simplex; d < dimension(shape); ++d) {  // the first direction runs fastest
+    const QuadratureRule line = line_quadrature(three ? std::max(degree, 4) : degree);
     QuadratureRule product;
     for (std::size_t j = 0; j < line.points.size(); ++j)
       for (std::size_t i = 0; i < rule.points.size(); ++i) {

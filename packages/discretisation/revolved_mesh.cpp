@@ -8,7 +8,7 @@ namespace mudline {
 
 void RevolvedMesh::parameters(Parameters& p) {
   geometry_ = declare_geometry(p);
-  PlaneMesh::document(p);
+  plane_.parameters(p);
   p.required("angle", angle_, "deg", {0, 360, true, false},
              "How far it is turned from the x-z plane towards y; 360 joins the ends");
   p.required("layers", layers_, "-", closed(1, 1e5), "Layers of cells around; none may turn by more than 90 degrees");
@@ -37,6 +37,7 @@ GlobalMesh RevolvedMesh::generate() const {
     sweep.fixed.push_back(x[0] <= 1e-9 * largest);
     if (sweep.fixed.back()) x[0] = 0;
   }
+  sweep.wedges = plane_.makes_wedges(plane, sweep.fixed);
   const double step = angle_ / 180 * pi / layers_;
   sweep.place = [&](const Point& x, double layers) {
     const double turn = layers * step;

@@ -18,7 +18,7 @@ int divisions(CellShape side) {
 
 /// Computes the points and pieces of a side.
 void divide(const ElementMap& map, SeamSide& side) {
-  const int face = side.at.place.side, n = divisions(side_shape(map.shape()));
+  const int face = side.at.place.side, n = divisions(side_shape(map.shape(), face));
   const auto add = [&](double s, double t) {
     side.points.push_back(map.at(on_side(map.shape(), face, Vec<double, 2>{s, t}).data()));
   };
@@ -61,10 +61,10 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
   }
   side.measure = std::sqrt(dot(side.normal, side.normal));
   // The determinant is the size of the cell over that of the reference cell. The size of a simplex is 1/2 (in space
-  // 1/3) of side times depth.
-  const bool simplex = is_simplex(map.shape());
-  const double share = side.corners == 2 ? (simplex ? 1.0 : 4.0) : (simplex ? 0.5 : 8.0);
-  const double depth = map.determinant(cell_centre(map.shape()).data()) * share / side.measure;
+  // 1/3) of side times depth, that of a wedge 1/2 for its quadrilaterals.
+  const CellShape shape = map.shape();
+  const double share = reference_size(shape) * per_box(shape) / per_box(side_shape(shape, side.at.place.side));
+  const double depth = map.determinant(cell_centre(shape).data()) * share / side.measure;
   side.size = std::min(side.edge, depth);
 }
 
@@ -91,7 +91,7 @@ std::vector<SeamSide> seam_sides(const GlobalMesh& mesh) {
     side.at = std::move(at);
     const GlobalMesh::Side& place = side.at.place;
     const ElementMap map = element_map(mesh, place.block, place.element);
-    side.corners = num_corners(side_shape(map.shape()));
+    side.corners = num_corners(side_shape(map.shape(), place.side));
     divide(map, side);
     measure(mesh, map, side);
     const auto found = sets.find({place.block, place.element, place.side});

@@ -35,12 +35,20 @@ CellShape cell_shape(int type, int order, int dimension, const std::string& regi
     throw InputError("region '" + region + "' has elements of the type " +
                      (known == nullptr ? std::to_string(type) : "'" + std::string(known->name) + "'") + "; allowed: " +
                      (dimension == 2 ? "triangles of 3 or 6 nodes, quadrilaterals of 4, 8 or 9"
-                                     : "tetrahedra of 4 or 10 nodes, hexahedra of 8, 20 or 27"));
+                                     : "tetrahedra of 4 or 10 nodes, hexahedra of 8, 20 or 27, prisms of 6, 15 or 18"));
   }
   if (mudline::order(*shape) != order)
     throw InputError("region '" + region + "' has " + name(*shape) + " elements, which are of order " +
                      std::to_string(mudline::order(*shape)) + ", but 'order' is " + std::to_string(order));
   return *shape;
+}
+
+/// 15-node prisms have sides of 8 nodes. They stay as they are unless the mesh has sides of 9 nodes.
+bool needs_complete_prisms(const TaggedMesh& tagged) {
+  return std::any_of(tagged.cells.begin(), tagged.cells.end(), [](const TaggedMesh::Cells& cells) {
+    const std::optional<CellShape> shape = cell_of(cells.type);
+    return shape == CellShape::hex27 || shape == CellShape::wedge18;
+  });
 }
 
 /// For each node, the node of the same cell with its first two reference coordinates exchanged (turned over).
@@ -113,16 +121,18 @@ void Numbering::take_nodes() {
 }
 
 void Numbering::take_cells() {
+  const bool complete = needs_complete_prisms(tagged_);
   for (const TaggedMesh::Cells& cells : tagged_.cells) {
     if (cells.region.empty())
       throw InputError("the " + std::to_string(cells.nodes.size() / msh_element(cells.type)->nodes) + " elements of " +
                        cells.entity + " belong to no physical group; add a Physical " +
                        (plane() ? "Surface" : "Volume") + " for each region");
-    const CellShape shape = cell_shape(cells.type, order_, dimension_, cells.region);
+    CellShape shape = cell_shape(cells.type, order_, dimension_, cells.region);
+    if (shape == CellShape::wedge15 && complete) shape = CellShape::wedge18;
     auto block = std::find_if(blocks_.begin(), blocks_.end(),
                               [&](const TaggedBlock& b) { return b.region == cells.region && b.shape == shape; });
     if (block == blocks_.end()) block = blocks_.insert(blocks_.end(), TaggedBlock{cells.region, shape, {}});
-    const std::vector<int> order = order_of_nodes(cells.type);
+    const std::vector<int> order = order_of_nodes(cells.type, shape);
     const std::size_t given = msh_element(cells.type)->nodes;
     for (std::size_t first = 0; first < cells.nodes.size(); first += given)
       for (const int a : order) block->nodes.push_back(a < 0 ? CentreNodes::missing : cells.nodes[first + a]);
@@ -187,7 +197,7 @@ void Numbering::number_nodes() {
 
 void Numbering::index_sides() {
   for_each_side(mesh_, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
-    const int corners = num_corners(side_shape(mesh_.blocks[place.block].shape));
+    const int corners = num_corners(side_shape(mesh_.blocks[place.block].shape, place.side));
     sides_.emplace(directed_key(nodes.data(), corners), place);
   });
 }
@@ -239,16 +249,18 @@ GlobalMesh global_mesh(const TaggedMesh& tagged, int order, int dimension) {
 }
 
 std::string elements_without_centres(const TaggedMesh& tagged) {
-  std::size_t quadrilaterals = 0, hexahedra = 0;
+  std::size_t quadrilaterals = 0, hexahedra = 0, prisms = 0;
   for (const TaggedMesh::Cells& cells : tagged.cells) {
     if (cells.type == 16) quadrilaterals += cells.nodes.size() / 8;
     if (cells.type == 17) hexahedra += cells.nodes.size() / 20;
+    if (cells.type == 18 && needs_complete_prisms(tagged)) prisms += cells.nodes.size() / 15;
   }
   const auto told = [](std::size_t count, const std::string& one, const std::string& more, const std::string& nodes) {
     return std::to_string(count) + " " + (count == 1 ? one : more) + " of " + nodes + " nodes";
   };
   if (quadrilaterals > 0) return told(quadrilaterals, "quadrilateral", "quadrilaterals", "8");
-  return hexahedra > 0 ? told(hexahedra, "hexahedron", "hexahedra", "20") : "";
+  if (hexahedra > 0) return told(hexahedra, "hexahedron", "hexahedra", "20");
+  return prisms > 0 ? told(prisms, "prism", "prisms", "15") : "";
 }
 
 }  // namespace mudline

@@ -41,7 +41,8 @@ struct TaggedMesh {
 /// The mesh, with elements of the given order and dimension. Elements are sorted along a space-filling curve and nodes
 /// in the order in which elements use them, so that neighbours are close in memory; nodes of no element are dropped;
 /// clockwise elements, and those of space with a negative volume, are turned over. Quadrilaterals of 8 nodes and
-/// hexahedra of 20 get the centres that they lack (centre_nodes.hpp). Throws InputError without a position.
+/// hexahedra of 20 get the centres that they lack (centre_nodes.hpp); prisms of 15 do so in a mesh that has hexahedra
+/// of second order or prisms of 18 nodes. Throws InputError without a position.
 GlobalMesh global_mesh(const TaggedMesh& tagged, int order, int dimension);
 
 /// "12 quadrilaterals of 8 nodes", where such elements get centres; "" where there are none.

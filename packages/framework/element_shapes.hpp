@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "discretisation/compiled_shapes.hpp"
 #include "framework/coordinates.hpp"
 #include "framework/field_block.hpp"
 
@@ -21,8 +22,8 @@ struct ElementShapes {
 template <class F>
 auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
   using Result = decltype(f(PlaneStrain{}, ElementShapes<6, 0, 0>{}));
-  const auto of_cell = [&](auto coordinates, auto cell, auto partner) -> Result {
-    constexpr int N = decltype(cell)::value, P = decltype(partner)::value;
+  const auto of_cell = [&](auto coordinates, auto counts) -> Result {
+    constexpr int N = decltype(counts)::nodes, P = decltype(counts)::corners;
     const bool corners = block.p.nodes < N;
     const auto of_scalars = [&](auto scalars) -> Result {
       constexpr int S = decltype(scalars)::value;
@@ -38,34 +39,9 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
     return f(coordinates, ElementShapes<N, 0, 0>{});
   };
   return with_coordinates(geometry, [&](auto coordinates) -> Result {
-    if constexpr (decltype(coordinates)::dim == 3) {
-      switch (block.shape) {
-        case CellShape::tet4:
-          return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
-        case CellShape::tet10:
-          return of_cell(coordinates, std::integral_constant<int, 10>{}, std::integral_constant<int, 4>{});
-        case CellShape::hex8:
-          return of_cell(coordinates, std::integral_constant<int, 8>{}, std::integral_constant<int, 8>{});
-        case CellShape::hex27:
-          return of_cell(coordinates, std::integral_constant<int, 27>{}, std::integral_constant<int, 8>{});
-        default:
-          break;
-      }
-    } else {
-      switch (block.shape) {
-        case CellShape::tri6:
-          return of_cell(coordinates, std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{});
-        case CellShape::quad9:
-          return of_cell(coordinates, std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
-        case CellShape::tri3:
-          return of_cell(coordinates, std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{});
-        case CellShape::quad4:
-          return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
-        default:
-          break;
-      }
-    }
-    throw std::logic_error("no kernel is compiled for the cell");
+    using Cells = std::conditional_t<decltype(coordinates)::dim == 3, SpaceCells, PlaneCells>;
+    return with_node_counts<Result>(Cells{}, num_nodes(block.shape),
+                                    [&](auto counts) { return of_cell(coordinates, counts); });
   });
 }
 

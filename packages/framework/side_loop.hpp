@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "discretisation/compiled_shapes.hpp"
 #include "discretisation/side_map.hpp"
 #include "framework/coordinates.hpp"
 #include "framework/side_block.hpp"
@@ -181,26 +182,14 @@ template <class F>
 void with_side_loop(Geometry geometry, const SideBlock& b, const SideLevel& level, F&& f) {
   with_coordinates(geometry, [&](auto coordinates) {
     using C = decltype(coordinates);
-    // all: number of nodes of the side; corners: number of its corners, which may be the field's only nodes
-    const auto of_side = [&](auto all, auto corners) {
-      constexpr int N = decltype(all)::value, P = decltype(corners)::value;
-      if (b.shape.nodes != N) return false;
+    using Sides = std::conditional_t<C::dim == 3, SpaceSides, PlaneSides>;
+    with_node_counts<void>(Sides{}, b.shape.nodes, [&](auto counts) {  // the corners may be the field's only nodes
+      constexpr int N = decltype(counts)::nodes, P = decltype(counts)::corners;
       if (b.partner.nodes == N)
         f(SideLoop<C, N, N>{b, level});
       else
         f(SideLoop<C, N, P>{b, level});
-      return true;
-    };
-    bool found;
-    if constexpr (C::dim == 3)
-      found = of_side(std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{}) ||
-              of_side(std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{}) ||
-              of_side(std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{}) ||
-              of_side(std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
-    else
-      found = of_side(std::integral_constant<int, 2>{}, std::integral_constant<int, 2>{}) ||
-              of_side(std::integral_constant<int, 3>{}, std::integral_constant<int, 2>{});
-    if (!found && b.sides > 0) throw std::logic_error("no kernel is compiled for the side");
+    });
   });
 }
 

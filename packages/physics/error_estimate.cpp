@@ -30,10 +30,9 @@ double energy_density(const double* s, const ElasticModuli& moduli) {
   return mean * mean / moduli.bulk + contract(deviator, deviator) / (2 * moduli.shear);
 }
 
-/// Side of the equilateral or square cell of this area or volume.
+/// Edge of the cell with edges of one length that has this area or volume.
 double side_length(CellShape shape, double content) {
-  if (dimension(shape) == 3) return std::cbrt(is_simplex(shape) ? 6 * std::sqrt(2.0) * content : content);
-  return std::sqrt(is_simplex(shape) ? 4 / std::sqrt(3.0) * content : content);
+  return dimension(shape) == 3 ? std::cbrt(equilateral(shape) * content) : std::sqrt(equilateral(shape) * content);
 }
 
 /// Shape functions of a cell's linear partner at the cell's quadrature points: (point, corner).
@@ -54,7 +53,7 @@ std::vector<double> linear_shapes(const FieldBlock& b) {
 /// linear least squares fit at a reduced quadrature point; in a linear cell it is their mean.
 template <int corners>
 std::vector<double> quadratic_sampler(const FieldBlock& b, const std::vector<double>& N) {
-  const QuadratureRule reduced = cell_quadrature(b.shape, is_simplex(b.shape) ? 2 : 3);
+  const QuadratureRule reduced = cell_quadrature(linear_partner(b.shape), simplex_coordinates(b.shape) > 0 ? 2 : 3);
   double a[corners][corners] = {};
   std::vector<double> right;  // (point, corner)
   for (int q = 0; q < b.points; ++q)
@@ -87,6 +86,7 @@ std::vector<double> make_sampler(const FieldBlock& b, const std::vector<double>&
   }
   return corners == 3   ? quadratic_sampler<3>(b, N)
          : corners == 4 ? quadratic_sampler<4>(b, N)
+         : corners == 6 ? quadratic_sampler<6>(b, N)
                         : quadratic_sampler<most_corners>(b, N);
 }
 

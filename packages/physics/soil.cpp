@@ -281,9 +281,9 @@ Field pore_pressure_field() { return {"pore pressure", "Pa", "m3/s", 1, Support:
 namespace {
 
 /// Sufficient degree for the strains of a cell: three points in a tri3, four in a tet4 or tet10, two per direction in a
-/// quad4 or hex8, three per direction in a quad9 or hex27, six in a tri6.
+/// quad4 or hex8, three per direction in a quad9 or hex27, six in a tri6, three in each layer of a wedge.
 int default_degree(CellShape shape) {
-  if (shape == CellShape::tet10) return 2;
+  if (dimension(shape) == 3 && simplex_coordinates(shape) > 0) return 2;
   if (order(shape) == 1) return is_simplex(shape) ? 2 : 3;
   return 4;
 }

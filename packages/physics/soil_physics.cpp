@@ -38,9 +38,10 @@ void SoilPhysics::initialise(StateStore& store, const Section& section) {
 void SoilPhysics::common_parameters(Parameters& p) {
   p.add("gravity", gravity_.vector, "m/s2", "gravitational acceleration as a vector");
   p.add("gravity factor", gravity_.factor, "-", "function of time that scales gravity");
-  p.add("quadrature degree", quadrature_, "-", closed(1, 8),
-        "polynomial degree that the element quadrature integrates exactly; by default 4, in tet10, tri3 and tet4 2, in "
-        "quad4 and hex8 3. Inertia takes at least twice the order of the cell");
+  p.add(
+      "quadrature degree", quadrature_, "-", closed(1, 8),
+      "polynomial degree that the element quadrature integrates exactly; by default 4, in tet10, tri3, tet4 and wedges "
+      "2, in quad4 and hex8 3. Inertia takes at least twice the order of the cell");
   if (!p.given("quadrature degree")) quadrature_ = cell_default;
   p.add("mass damping", mass_damping_, "1/s", non_negative(), "Rayleigh damping: factor of the mass matrix");
   p.add("stiffness damping", stiffness_damping_, "s", non_negative(),

@@ -21,7 +21,7 @@ Point pressed_direction(const Model& model, const Contact& contact) {
   for (const Side& side : mesh.side_sets().at(contact.partners().surface)) {
     const ElementBlock& block = mesh.blocks()[side.block];
     const std::vector<int> local = side_nodes(block.shape, side.side);
-    const int corners = num_corners(side_shape(block.shape));
+    const int corners = num_corners(side_shape(block.shape, side.side));
     std::vector<Point> at;
     double mean = 0;
     for (int c = 0; c < corners; ++c) {

@@ -14,13 +14,13 @@ namespace {
 
 /// Moves reference coordinates to the nearest ones within the cell.
 void into_cell(CellShape shape, double (&xi)[3]) {
-  if (!is_simplex(shape)) {
-    for (double& c : xi) c = std::clamp(c, -1.0, 1.0);
-    return;
+  const int simplex = simplex_coordinates(shape);
+  double sum = 0;
+  for (int d = 0; d < 3; ++d) {
+    xi[d] = d < simplex ? std::max(xi[d], 0.0) : std::clamp(xi[d], -1.0, 1.0);
+    if (d < simplex) sum += xi[d];
   }
-  for (double& c : xi) c = std::max(c, 0.0);
-  const double sum = xi[0] + xi[1] + xi[2];
-  for (double& c : xi) c /= std::max(1.0, sum);
+  for (int d = 0; d < simplex; ++d) xi[d] /= std::max(1.0, sum);
 }
 
 std::string column(const std::string& probe, const std::string& field, int components, int component) {

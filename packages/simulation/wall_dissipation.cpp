@@ -24,13 +24,13 @@ constexpr double finest = 0.5;
 template <int Dim>
 std::array<double, 2> extents(const ElementBlock& block, const SoilBlock& b, const Side& side,
                               const ConstCoordinateView& x) {
-  const std::vector<int> nodes = side_nodes(block.shape, side.side);
-  const QuadratureRule rule =
-      Dim == 2 ? line_quadrature(3) : cell_quadrature(side_shape(block.shape), is_simplex(block.shape) ? 2 : 3);
+  const std::vector<int>& nodes = side_nodes(block.shape, side.side);
+  const CellShape shape = side_shape(block.shape, side.side);
+  const QuadratureRule rule = cell_quadrature(shape, is_simplex(shape) ? 2 : 3);
   std::array<double, 2> result{};
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     double N[9], dN[18];
-    evaluate_shape(side_shape(block.shape), rule.points[q].data(), N, dN);
+    evaluate_shape(shape, rule.points[q].data(), N, dN);
     SideMap<Dim> map;
     map.compute(static_cast<int>(nodes.size()), N, dN,
                 [&](int a, int i) { return x(block.nodes(side.element, nodes[a]), i); });
@@ -57,7 +57,7 @@ void WallDissipation::add_side(const Model& model, const Side& side, const Nodal
   const auto [area, volume] = model.mesh().dimension() == 2 ? extents<2>(block, *own, side, state.coordinates)
                                                             : extents<3>(block, *own, side, state.coordinates);
   double pressure = 0;
-  const int corners = num_corners(side_shape(block.shape));
+  const int corners = num_corners(side_shape(block.shape, side.side));
   for (int a = 0; a < corners; ++a) {
     const int node = block.nodes(side.element, side_nodes(block.shape, side.side)[a]);
     pressure += excess(model.space().node_dof(model.soil()->pressure)(node)) / corners;
@@ -66,7 +66,8 @@ void WallDissipation::add_side(const Model& model, const Side& side, const Nodal
   const SoilPoints soil(*model.soil(), *own, state);
   const ElasticModuli moduli = soil.moduli(row);
   const double mobility = soil.conductivity(row) / soil.material(row).fluid->unit_weight();
-  const double share = is_simplex(block.shape) ? model.mesh().dimension() : 1;  // a simplex is a part of a box
+  // the height is the volume over the area for a box, of which a simplex or a wedge is a part
+  const double share = per_box(block.shape) / per_box(side_shape(block.shape, side.side));
   to.pressure += area * pressure;
   to.thickness += share * volume;
   to.diffusivity += area * mobility * (moduli.bulk + 4 * moduli.shear / 3);

@@ -113,9 +113,9 @@ DECKS = [
     Wrong("component", ('value="x"', 'value="z"'), "boundary conditions/axis/components: 'z' is not a choice; allowed: x, y, x y"),
     # space
     Wrong("mesh and points of the plane in space", ('value="axisymmetric"', 'value="three-dimensional"'),
-          "mesh/cell: 'quad9' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4", at='name="cell"', ranks=BOTH),
+          "mesh/cell: 'quad9' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4, wedge15, wedge18, wedge6", at='name="cell"', ranks=BOTH),
     Wrong("two cells in space", [('value="axisymmetric"', 'value="three-dimensional"'), (parameter("tip", "Array(double)", "{0.0, 0.3}"), parameter("tip", "Array(double)", "{0.0, 0.0, 0.3}"))],
-          "mesh/cell: 'quad9' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4",
+          "mesh/cell: 'quad9' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4, wedge15, wedge18, wedge6",
           at='name="cell"'),
     Wrong("cell of space", ('value="quad9"', 'value="hex27"'),
           "mesh/cell: 'hex27' is a cell of space, and the geometry is one of the plane; allowed: quad9, tri6, quad4, tri3"),

@@ -99,7 +99,7 @@ DECKS = [
     wrong("moving probe of two numbers", (PROBE, section("centre") + parameter("point", "Array(double)", "{0.0, 2.0}") + parameter("moves with", "string", "nothing") + "</ParameterList>"),
           "output/probes/centre/point: expected 3 numbers, as the mesh's 'geometry' is 'three-dimensional'; given 2"),
     wrong("cell of the plane", (CELL, parameter("cell", "string", "tri6")),
-          "mesh/cell: 'tri6' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4"),
+          "mesh/cell: 'tri6' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4, wedge15, wedge18, wedge6"),
     wrong("unknown cell", (CELL, parameter("cell", "string", "tet11")),
           "mesh/cell: 'tet11' is not a choice (did you mean 'tet10'?)"),
     wrong("linear tetrahedra", (CELL, parameter("cell", "string", "tet4")),

@@ -98,10 +98,11 @@ void PenaltyContact::check_quadrature(const Section& section) const {
     section.fail("nodes has no tributary areas on quadratic triangles; allowed in space: surface quadrature", "method");
   constexpr int most = 8;  // largest degree of the rules for triangles
   for (const ElementBlock& block : mesh.blocks())
-    if (is_simplex(side_shape(block.shape)) && deck_.quadrature_degree > most)
-      section.fail("on triangles the largest 'quadrature degree' is " + std::to_string(most) + ", given " +
-                       std::to_string(deck_.quadrature_degree),
-                   "quadrature degree");
+    for (int s = 0; s < num_sides(block.shape); ++s)
+      if (is_simplex(side_shape(block.shape, s)) && deck_.quadrature_degree > most)
+        section.fail("on triangles the largest 'quadrature degree' is " + std::to_string(most) + ", given " +
+                         std::to_string(deck_.quadrature_degree),
+                     "quadrature degree");
 }
 
 void PenaltyContact::check_above(const Section& section) const {

@@ -12,7 +12,7 @@ namespace {
 
 using namespace mesh_test;
 
-const char* const cells[] = {"hex27", "tet10", "hex8", "tet4"};
+const char* const cells[] = {"hex27", "tet10", "hex8", "tet4", "wedge6", "wedge15", "wedge18"};
 
 std::string distorted(const char* amount = "0.3") { return parameter("distortion", "double", amount); }
 
@@ -22,7 +22,8 @@ TEST(BoxInSpace, CountsAndVolumes) {
     int elements, nodes, vertices;
   };
   for (const Case& c :
-       {Case{"hex27", 24, 315, 60}, Case{"tet10", 144, 315, 60}, Case{"hex8", 24, 60, 60}, Case{"tet4", 144, 60, 60}}) {
+       {Case{"hex27", 24, 315, 60}, Case{"tet10", 144, 315, 60}, Case{"hex8", 24, 60, 60}, Case{"tet4", 144, 60, 60},
+        Case{"wedge6", 48, 60, 60}, Case{"wedge15", 48, 315 - 86, 60}, Case{"wedge18", 48, 315, 60}}) {
     const auto mesh = make(box3(c.cell, 4, 3, 2));
     EXPECT_EQ(mesh->geometry(), Geometry::space);
     EXPECT_EQ(mesh->dimension(), 3);
@@ -74,7 +75,7 @@ TEST(BoxInSpace, LinearFieldsAreExactOnDistortedMeshes) {
 }
 
 TEST(BoxInSpace, DistortionKeepsMiddlesAndTheBoundary) {
-  for (const char* cell : {"hex27", "tet10"}) {
+  for (const char* cell : {"hex27", "tet10", "wedge15", "wedge18"}) {
     const auto straight = make(box3(cell, 4, 3, 4)), moved = make(box3(cell, 4, 3, 4, distorted()));
     double largest = 0;
     for (int n = 0; n < moved->num_nodes(); ++n) {
@@ -149,7 +150,7 @@ TEST(BoxInSpace, Errors) {
   const auto message = [](const std::string& entries) { return input_error([&] { make(entries); }); };
   EXPECT_CONTAINS(message(box3("quad9", 2, 2, 2)),
                   "mesh/cell: 'quad9' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, "
-                  "tet10, hex8, tet4");
+                  "tet10, hex8, tet4, wedge15, wedge18, wedge6");
   const std::string start = parameter("type", "string", "box") + parameter("geometry", "string", "three-dimensional") +
                             parameter("upper", "Array(double)", "{1.0, 1.0, 1.0}");
   EXPECT_CONTAINS(message(start + parameter("cells", "Array(int)", "{2, 2}")),

@@ -100,7 +100,8 @@ TEST(CheckSpace, NeighboursFit) {
 }
 
 TEST(CheckSpace, NeighboursShareMiddles) {
-  for (const auto& [cell, corners, edges] : {std::tuple{"tet10", 4, 6}, {"hex27", 8, 12}}) {
+  for (const auto& [cell, corners, edges] :
+       {std::tuple{"tet10", 4, 6}, {"hex27", 8, 12}, {"wedge15", 6, 9}, {"wedge18", 6, 9}}) {
     GlobalMesh mesh = whole(cell, 2, 2, 2);
     auto& nodes = mesh.blocks[0].nodes;
     const int n = num_nodes(mesh.blocks[0].shape), edge = corners + edges - 1;
@@ -122,8 +123,45 @@ TEST(CheckSpace, NeighboursShareMiddles) {
                   "neighbours do not share the node in the middle of their common face at (1, 0.5, 0.75)");
 }
 
+/// A hexahedron with a wedge on its face at high x, whose ridge lies along y.
+GlobalMesh hexahedron_and_wedge(CellShape wedge) {
+  GlobalMesh mesh = whole("hex27", 1, 1, 1);
+  const std::vector<long long> hex = mesh.blocks[0].nodes;
+  std::vector<long long> nodes(num_nodes(wedge), -1);
+  for (const auto& [own, of_hex] :
+       {std::pair{0, 1}, {1, 5}, {3, 2}, {4, 6}, {6, 17}, {9, 18}, {12, 9}, {13, 13}, {15, 21}})
+    if (own < num_nodes(wedge)) nodes[own] = hex[of_hex];
+  const auto add = [&](int own, const Point& place) {
+    nodes[own] = static_cast<long long>(mesh.coordinates.size());
+    mesh.coordinates.push_back(place);
+  };
+  for (const int ridge : {2, 5}) {
+    const Point& beside = mesh.coordinates[nodes[ridge - 2]];
+    add(ridge, {beside[0] + 1, beside[1], beside[2] + 0.5});
+  }
+  for (int a = 6; a < num_nodes(wedge); ++a) {
+    if (nodes[a] >= 0) continue;
+    Point middle{};
+    const auto& around = corners_around(wedge, a);
+    for (const int c : around) middle += 1.0 / around.size() * mesh.coordinates[nodes[c]];
+    add(a, middle);
+  }
+  mesh.blocks.push_back({"ridge", wedge, nodes});
+  return mesh;
+}
+
+TEST(CheckSpace, WedgesBesideHexahedra) {
+  EXPECT_CONTAINS(message(hexahedron_and_wedge(CellShape::wedge15)),
+                  "neighbours do not fit: their common side has 9 nodes in one and 8 in the other, which is in region "
+                  "'ridge' centred at (");
+  const GlobalMesh fits = hexahedron_and_wedge(CellShape::wedge18);
+  EXPECT_NO_THROW(Mesh(world(), Geometry::space, fits));
+  EXPECT_EQ(seams(fits), "");
+}
+
 TEST(CheckSpace, SoundMeshesHaveNoSeams) {
-  for (const char* cell : {"hex27", "tet10", "hex8", "tet4"}) EXPECT_EQ(seams(whole(cell, 3, 2, 3)), "") << cell;
+  for (const char* cell : {"hex27", "tet10", "hex8", "tet4", "wedge6", "wedge15", "wedge18"})
+    EXPECT_EQ(seams(whole(cell, 3, 2, 3)), "") << cell;
   GlobalMesh thin = whole("hex8", 3, 3, 3);
   for (auto& x : thin.coordinates) x[2] *= 1e-3;
   EXPECT_EQ(seams(thin), "") << "thin elements are no seams";

@@ -8,8 +8,9 @@
 namespace mudline {
 namespace {
 
-const CellShape all[] = {CellShape::tri3, CellShape::tri6,  CellShape::quad4, CellShape::quad9,
-                         CellShape::tet4, CellShape::tet10, CellShape::hex8,  CellShape::hex27};
+const CellShape all[] = {CellShape::tri3,  CellShape::tri6,   CellShape::quad4,   CellShape::quad8,
+                         CellShape::quad9, CellShape::tet4,   CellShape::tet10,   CellShape::hex8,
+                         CellShape::hex27, CellShape::wedge6, CellShape::wedge15, CellShape::wedge18};
 
 /// A cell under a smooth map that bends its sides.
 ElementMap bent(CellShape shape) {
@@ -63,7 +64,7 @@ TEST(ElementMap, SidesAndCentre) {
       }
       EXPECT_LT(beyond_side(shape, s, cell_centre(shape).data()), 0);
       // check node by node that the coordinates are those of the side's own shape
-      const CellShape own = side_shape(shape);
+      const CellShape own = side_shape(shape, s);
       for (int a = 0; a < num_nodes(own); ++a) {
         const auto xi = reference_node(own, a), there = reference_node(shape, side_nodes(shape, s)[a]);
         EXPECT_EQ(on_side(shape, s, {xi[0], xi[1]}), there) << name(shape) << " " << s << " " << a;
@@ -86,6 +87,20 @@ TEST(ElementMap, ScaledJacobian) {
   EXPECT_NEAR(ElementMap(CellShape::tet10, [&](int a) { return node(regular, a); }).scaled_jacobian(), 1, 1e-14);
   for (CellShape shape : {CellShape::hex8, CellShape::hex27})
     EXPECT_NEAR(ElementMap(shape, [&](int a) { return reference_node(shape, a); }).scaled_jacobian(), 1, 1e-14);
+  for (CellShape shape : {CellShape::wedge6, CellShape::wedge15, CellShape::wedge18}) {
+    // equilateral triangles at a distance of one edge
+    const auto equilateral = [&](int a, double height) {
+      const auto xi = reference_node(shape, a);
+      return Vec<double, 3>{xi[0] + 0.5 * xi[1], h * xi[1], 0.5 * height * xi[2]};
+    };
+    EXPECT_NEAR(ElementMap(shape, [&](int a) { return equilateral(a, 1); }).scaled_jacobian(), 1, 1e-14);
+    EXPECT_NEAR(ElementMap(shape, [&](int a) { return equilateral(a, 0.1); }).scaled_jacobian(), 1, 1e-14);
+    EXPECT_NEAR(ElementMap(shape, [&](int a) { return equilateral(a, -1); }).scaled_jacobian(), -1, 1e-14);
+    const ElementSize size = ElementMap(shape, [&](int a) { return equilateral(a, 2); }).size();
+    EXPECT_NEAR(size.height, h / 2, 1e-14) << "the volume over the area of a quadrilateral";
+    EXPECT_NEAR(size.shortest_edge, 1, 1e-14);
+    EXPECT_NEAR(size.longest_edge, 2, 1e-14);
+  }
   // a mid-side node nearer to a corner than a quarter of its edge folds that corner
   const ElementMap folded(CellShape::tet10, [&](int a) {
     auto x = node(regular, a);

@@ -74,6 +74,44 @@ TEST(GmshInSpace, HexahedraOfTwentyNodesGetCentres) {
   EXPECT_NEAR(mesh_quality(*mesh, mesh->coordinates()).lowest, 1, 1e-9);
 }
 
+TEST(GmshInSpace, PrismsOfSixFifteenAndEighteenNodes) {
+  for (const auto& [entries, shape] : {std::pair{gmsh3("prisms.geo", order_of(1)), CellShape::wedge6},
+                                       {gmsh3("prisms15.geo"), CellShape::wedge15},
+                                       {gmsh3("prisms.geo"), CellShape::wedge18}}) {
+    const auto mesh = make(entries);
+    ASSERT_EQ(mesh->blocks().size(), 1u);
+    EXPECT_EQ(mesh->blocks()[0].shape, shape);
+    EXPECT_NEAR(area(*mesh), 0.5, 1e-12);
+    EXPECT_LT(gradient_error(*mesh), 1e-11) << "nodes in the wrong order bend cells";
+    const ElementBlock& block = mesh->blocks()[0];
+    for (int e = 0; e < block.num_elements; ++e)
+      for (int a = 0; a < num_nodes(shape); ++a) {
+        const auto place = map_of(*mesh, block, e).at(reference_node(shape, a).data());
+        Point mean{};
+        for (int c : corners_around(shape, a))
+          for (int i = 0; i < 3; ++i)
+            mean[i] += mesh->coordinates()(block.nodes(e, c), i) / corners_around(shape, a).size();
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(place[i], mean[i], 1e-9) << name(shape) << " node " << a;
+      }
+  }
+}
+
+TEST(GmshInSpace, PrismsBesideHexahedra) {
+  const auto straight = make(gmsh3("mixed.geo", order_of(1)));
+  for (const char* file : {"mixed.geo", "mixed20.geo"}) {
+    const auto mesh = make(gmsh3(file));
+    std::set<CellShape> shapes;
+    for (const ElementBlock& block : mesh->blocks()) shapes.insert(block.shape);
+    EXPECT_EQ(shapes, (std::set<CellShape>{CellShape::hex27, CellShape::wedge18})) << file;
+    EXPECT_EQ(mesh->num_global_elements(), straight->num_global_elements());
+    EXPECT_NEAR(area(*mesh), 1.5, 1e-12);
+    EXPECT_LT(gradient_error(*mesh), 1e-11);
+    EXPECT_EQ(mesh_parts(*mesh).places.size(), 1u);
+    EXPECT_NEAR(side_integral(*mesh, "top")[3], 1.5, 1e-12) << "quadrilaterals and triangles";
+    EXPECT_NEAR(side_integral(*mesh, "front")[2], -2, 1e-12);
+  }
+}
+
 TEST(GmshInSpace, CadFileThatAGeometryMerges) {
   const auto mesh = make(gmsh3("post.geo"));
   EXPECT_NEAR(area(*mesh, "post"), 0.5 * pi, 1e-2);
@@ -125,9 +163,9 @@ TEST(GmshInSpace, Errors) {
     return text;
   };
   EXPECT_CONTAINS(
-      message(gmsh3("prisms.geo", order_of(1))),
-      "region 'soil' has elements of the type 'Prism 6'; allowed: tetrahedra of 4 or 10 nodes, hexahedra of "
-      "8, 20 or 27");
+      message(gmsh3("pyramids.geo", order_of(1))),
+      "region 'soil' has elements of the type 'Pyramid 5'; allowed: tetrahedra of 4 or 10 nodes, hexahedra of "
+      "8, 20 or 27, prisms of 6, 15 or 18");
   EXPECT_CONTAINS(message(gmsh3("quads.geo")), "there are no three-dimensional elements in it");
   EXPECT_CONTAINS(message(gmsh3("no_volume_group.geo")),
                   "elements of volume 1 belong to no physical group; add a Physical Volume for each region");

@@ -12,6 +12,7 @@
 
 #include "core/deck.hpp"
 #include "core/tests/input_error.hpp"
+#include "discretisation/compiled_shapes.hpp"
 #include "discretisation/element_map.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/mesh_topology.hpp"
@@ -90,7 +91,7 @@ template <int Dim>
 void add_side(const Mesh& mesh, const Side& side, std::array<double, 4>& sum) {
   const ElementBlock& block = mesh.blocks()[side.block];
   const std::vector<int> nodes = side_nodes(block.shape, side.side);
-  const CellShape own = side_shape(block.shape);
+  const CellShape own = side_shape(block.shape, side.side);
   const QuadratureRule rule = cell_quadrature(own, own == CellShape::line2 || own == CellShape::line3 ? 9 : 6);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     double N[9], dN[18];
@@ -140,19 +141,10 @@ double gradient_error_of(const Mesh& mesh, const ElementBlock& block) {
 /// The largest error of the gradient of a linear field that is interpolated on a mesh in space.
 inline double gradient_error(const Mesh& mesh) {
   double worst = 0;
-  for (const ElementBlock& block : mesh.blocks()) switch (block.shape) {
-      case CellShape::tet4:
-        worst = std::max(worst, gradient_error_of<3, 4>(mesh, block));
-        break;
-      case CellShape::tet10:
-        worst = std::max(worst, gradient_error_of<3, 10>(mesh, block));
-        break;
-      case CellShape::hex8:
-        worst = std::max(worst, gradient_error_of<3, 8>(mesh, block));
-        break;
-      default:
-        worst = std::max(worst, gradient_error_of<3, 27>(mesh, block));
-    }
+  for (const ElementBlock& block : mesh.blocks())
+    with_node_counts<void>(SpaceCells{}, num_nodes(block.shape), [&](auto counts) {
+      worst = std::max(worst, gradient_error_of<3, decltype(counts)::nodes>(mesh, block));
+    });
   return worst;
 }
 

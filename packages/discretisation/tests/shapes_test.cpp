@@ -9,9 +9,11 @@ namespace mudline {
 namespace {
 
 const std::vector<CellShape> plane{CellShape::tri3, CellShape::tri6, CellShape::quad4, CellShape::quad9},
-    space{CellShape::tet4, CellShape::tet10, CellShape::hex8, CellShape::hex27},
-    all{CellShape::line2, CellShape::line3, CellShape::tri3,  CellShape::tri6, CellShape::quad4,
-        CellShape::quad9, CellShape::tet4,  CellShape::tet10, CellShape::hex8, CellShape::hex27};
+    space{CellShape::tet4,   CellShape::tet10,   CellShape::hex8,   CellShape::hex27,
+          CellShape::wedge6, CellShape::wedge15, CellShape::wedge18},
+    all{CellShape::line2, CellShape::line3,  CellShape::tri3,    CellShape::tri6,   CellShape::quad4,
+        CellShape::quad8, CellShape::quad9,  CellShape::tet4,    CellShape::tet10,  CellShape::hex8,
+        CellShape::hex27, CellShape::wedge6, CellShape::wedge15, CellShape::wedge18};
 
 using Place = Vec<double, 3>;
 
@@ -76,8 +78,9 @@ TEST(Shapes, GradientsEqualDifferences) {
 }
 
 /// The point xi of a side, in the reference coordinates of the cell.
-Place on_side(CellShape shape, const std::vector<int>& nodes, const Place& xi) {
-  const CellShape flat = linear_partner(side_shape(shape));
+Place on_side(CellShape shape, int side, const Place& xi) {
+  const std::vector<int>& nodes = side_nodes(shape, side);
+  const CellShape flat = linear_partner(side_shape(shape, side));
   const Values v = evaluate(flat, xi);
   Place at{};
   for (int c = 0; c < num_nodes(flat); ++c)
@@ -90,16 +93,16 @@ TEST(Shapes, OfASideAreTheTraceOfTheCell) {
     for (CellShape shape : cells)
       for (int side = 0; side < num_sides(shape); ++side) {
         const auto nodes = side_nodes(shape, side);
-        const CellShape flat = side_shape(shape);
+        const CellShape flat = side_shape(shape, side);
         ASSERT_EQ(nodes.size(), num_nodes(flat));
         const Place xi{0.37, dimension(flat) == 2 ? 0.21 : 0.0, 0};
-        const Values trace = evaluate(flat, xi), v = evaluate(shape, on_side(shape, nodes, xi));
+        const Values trace = evaluate(flat, xi), v = evaluate(shape, on_side(shape, side, xi));
         for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(v.N[nodes[i]], trace.N[i], 1e-15) << name(shape);
       }
 }
 
 TEST(Shapes, SidesLookOutward) {
-  for (CellShape shape : {CellShape::tet4, CellShape::hex8})
+  for (CellShape shape : {CellShape::tet4, CellShape::hex8, CellShape::wedge6})
     for (int side = 0; side < num_sides(shape); ++side) {
       const auto nodes = side_nodes(shape, side);
       const Place a = reference_node(shape, nodes[0]), b = reference_node(shape, nodes[1]),
@@ -107,7 +110,7 @@ TEST(Shapes, SidesLookOutward) {
       double outward = 0;  // normal times the vector from the cell's centre
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double middle = is_simplex(shape) ? 0.25 : 0;
+        const double middle = i >= simplex_coordinates(shape) ? 0 : is_simplex(shape) ? 0.25 : 1.0 / 3;
         outward += ((b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j])) * (a[i] - middle);
       }
       EXPECT_GT(outward, 0) << name(shape) << " side " << side;
@@ -198,6 +201,45 @@ TEST(Quadrature, CubeIsExactToItsDegree) {
                std::pow(rule.points[q][2], 4);
       EXPECT_NEAR(sum, moment(i) * moment(j) * moment(4), 4e-15) << i << " " << j;
     }
+}
+
+TEST(Quadrature, WedgeIsExactToItsDegreeInTheTriangleAndAlongTheLine) {
+  EXPECT_EQ(cell_quadrature(CellShape::wedge6, 2).points.size(), 6u);
+  EXPECT_EQ(cell_quadrature(CellShape::wedge15, 2).points.size(), 9u) << "two layers would leave free modes";
+  for (CellShape shape : {CellShape::wedge6, CellShape::wedge15, CellShape::wedge18})
+    for (int degree = 1; degree <= 8; ++degree) {
+      const QuadratureRule rule = cell_quadrature(shape, degree);
+      for (int i = 0; i <= degree; ++i)
+        for (int j = 0; i + j <= degree; ++j)
+          for (int k = 0; k <= degree; ++k) {
+            double sum = 0;
+            for (std::size_t q = 0; q < rule.points.size(); ++q)
+              sum += rule.weights[q] * std::pow(rule.points[q][0], i) * std::pow(rule.points[q][1], j) *
+                     std::pow(rule.points[q][2], k);
+            const double exact = factorial(i) * factorial(j) / factorial(i + j + 2) * moment(k);
+            EXPECT_NEAR(sum, exact, 1e-15) << degree << " " << i << " " << j << " " << k;
+          }
+    }
+}
+
+TEST(Shapes, QuadraticFieldsLieInTheQuadraticCells) {
+  const auto field = [](const Place& x) {
+    return 1 + x[0] - 2 * x[1] + 0.5 * x[2] + x[0] * x[1] - x[1] * x[2] + 0.3 * x[0] * x[2] + x[0] * x[0] -
+           0.7 * x[1] * x[1] + 1.3 * x[2] * x[2];
+  };
+  const Place at{0.31, 0.17, 0.23};
+  for (CellShape shape : {CellShape::tet10, CellShape::hex27, CellShape::wedge15, CellShape::wedge18}) {
+    const Values v = evaluate(shape, at);
+    double value = 0, slope[3] = {};
+    for (int a = 0; a < num_nodes(shape); ++a) {
+      value += v.N[a] * field(reference_node(shape, a));
+      for (int d = 0; d < 3; ++d) slope[d] += v.dN[3 * a + d] * field(reference_node(shape, a));
+    }
+    EXPECT_NEAR(value, field(at), 1e-14) << name(shape);
+    EXPECT_NEAR(slope[0], 1 + at[1] + 0.3 * at[2] + 2 * at[0], 1e-13) << name(shape);
+    EXPECT_NEAR(slope[1], -2 + at[0] - at[2] - 1.4 * at[1], 1e-13) << name(shape);
+    EXPECT_NEAR(slope[2], 0.5 - at[1] + 0.3 * at[0] + 2.6 * at[2], 1e-13) << name(shape);
+  }
 }
 
 TEST(Quadrature, DegreesBeyondTheTablesAreRefused) {

@@ -27,10 +27,11 @@ std::string extruded(const std::string& mesh, const std::string& more = "") {
   return sweep("extruded", parameter("length", "double", "3") + parameter("layers", "int", "4") + more, mesh);
 }
 
-std::string revolved(double angle, int layers, const std::string& mesh) {
-  return sweep("revolved",
-               parameter("angle", "double", std::to_string(angle)) + parameter("layers", "int", std::to_string(layers)),
-               mesh);
+std::string revolved(double angle, int layers, const std::string& mesh, const std::string& more = "") {
+  return sweep(
+      "revolved",
+      parameter("angle", "double", std::to_string(angle)) + parameter("layers", "int", std::to_string(layers)) + more,
+      mesh);
 }
 
 /// A ring with radii 1 to 3 and heights 0 to 1.
@@ -41,6 +42,7 @@ std::string ring(const std::string& cell, const std::string& more = "") {
 }
 
 const char* const cells[] = {"quad9", "tri6", "quad4", "tri3"};
+const std::string wedges = parameter("triangles become", "string", "wedges");
 
 void expect_sides(const Mesh& mesh, const std::map<std::string, std::array<double, 4>>& expected, double tolerance) {
   for (const auto& [set, values] : expected) {
@@ -71,6 +73,28 @@ TEST(ExtrudedMesh, PlanDrawnUpwards) {
                   {"end", {2, 0, 0, 2}}},
                  1e-12);
   }
+}
+
+TEST(ExtrudedMesh, TrianglesBecomeWedges) {
+  for (const char* along : {"z", "y"})
+    for (const char* cell : {"tri6", "tri3"}) {
+      const auto mesh = make(extruded(box(cell, 4, 3, parameter("distortion", "double", "0.2")),
+                                      wedges + parameter("along", "string", along)));
+      EXPECT_EQ(mesh->blocks()[0].shape, cell[3] == '6' ? CellShape::wedge15 : CellShape::wedge6);
+      EXPECT_EQ(mesh->num_global_elements(), 4 * 12 * 2) << cell;
+      EXPECT_NEAR(area(*mesh), 6, 1e-12) << cell;
+      EXPECT_LT(gradient_error(*mesh), 1e-12) << cell;
+      EXPECT_GT(mesh_quality(*mesh, mesh->coordinates()).lowest, 0.3);
+      const int up = along[0] == 'z' ? 1 : 2, across = 3 - up;
+      std::map<std::string, std::array<double, 4>> sides{{"left", {3, -3, 0, 0}}, {"right", {3, 3, 0, 0}}};
+      sides["bottom"][0] = sides["top"][0] = 6;
+      sides["bottom"][1 + up] = -6;
+      sides["top"][1 + up] = 6;
+      sides["start"][0] = sides["end"][0] = 2;
+      sides["start"][1 + across] = -2;
+      sides["end"][1 + across] = 2;
+      expect_sides(*mesh, sides, 1e-12);
+    }
 }
 
 TEST(ExtrudedMesh, SectionDrawnAcross) {
@@ -129,6 +153,57 @@ TEST(RevolvedMesh, QuarterHalfAndWholeRing) {
     }
 }
 
+TEST(RevolvedMesh, TrianglesOfARingBecomeWedges) {
+  const double exact = pi * (9 - 1);
+  for (const auto& [angle, layers] : {std::pair{90., 4}, {360., 16}}) {
+    const auto tetrahedra = make(revolved(angle, layers, ring("tri6"))),
+               mesh = make(revolved(angle, layers, ring("tri6"), wedges));
+    EXPECT_EQ(mesh->blocks()[0].shape, CellShape::wedge15);
+    EXPECT_EQ(mesh->num_global_elements(), tetrahedra->num_global_elements() / 3);
+    EXPECT_LT(mesh->num_global_nodes(), 0.75 * tetrahedra->num_global_nodes());
+    EXPECT_NEAR(area(*mesh), angle / 360 * exact, 2e-3);
+    EXPECT_LT(gradient_error(*mesh), 1e-10);
+    EXPECT_EQ(mesh_parts(*mesh).places.size(), 1u);
+    EXPECT_NEAR(side_integral(*mesh, "right")[0], angle / 360 * 6 * pi, 2e-3);
+    for (int node : mesh->nodes_of_set("right"))
+      EXPECT_NEAR(std::hypot(mesh->coordinates()(node, 0), mesh->coordinates()(node, 1)), 3, 1e-12);
+    if (angle == 90) expect_sides(*mesh, {{"start", {2, 0, -2, 0}}, {"end", {2, -2, 0, 0}}}, 1e-12);
+  }
+}
+
+/// A disc of radius 2 with heights 0 to 1: the left side of the plane is the axis.
+TEST(RevolvedMesh, QuadrilateralsAtTheAxisBecomeWedges) {
+  for (const char* cell : {"quad9", "quad4"})
+    for (const auto& [angle, layers] : {std::pair{90., 4}, {180., 8}, {360., 16}}) {
+      const bool linear = cell[4] == '4';
+      const double exact = angle / 360 * pi * 4, tolerance = linear ? 0.04 * exact : 1e-3 * exact;
+      const auto mesh = make(revolved(angle, layers, box(cell, 4, 3)));
+      EXPECT_EQ(mesh->num_global_elements(), 12 * layers);
+      ASSERT_EQ(mesh->blocks().size(), 2u);
+      EXPECT_EQ(mesh->blocks()[0].shape, linear ? CellShape::wedge6 : CellShape::wedge18);
+      EXPECT_EQ(mesh->blocks()[1].shape, linear ? CellShape::hex8 : CellShape::hex27);
+      EXPECT_NEAR(area(*mesh), exact, tolerance) << cell << " " << angle;
+      EXPECT_NEAR(side_integral(*mesh, "bottom")[3], -exact, tolerance) << cell << " " << angle;
+      EXPECT_NEAR(side_integral(*mesh, "right")[0], angle / 360 * 4 * pi, linear ? 0.1 : 2e-3);
+      EXPECT_LT(gradient_error(*mesh), 1e-9);
+      EXPECT_GT(mesh_quality(*mesh, mesh->coordinates()).lowest, 0.3);
+      EXPECT_EQ(mesh_parts(*mesh).places.size(), 1u);
+      EXPECT_FALSE(mesh->has_side_set("left"));
+      EXPECT_EQ(mesh->node_sets().at("left").size(), linear ? 4u : 7u);
+      if (angle == 90) expect_sides(*mesh, {{"start", {2, 0, -2, 0}}, {"end", {2, -2, 0, 0}}}, 1e-12);
+    }
+}
+
+TEST(RevolvedMesh, AutomaticTakesWedgesWhereNoTriangleTouchesTheAxisWithOneCornerOnly) {
+  const std::string automatic = parameter("triangles become", "string", "automatic");
+  EXPECT_EQ(make(revolved(90, 4, ring("tri6"), automatic))->blocks()[0].shape, CellShape::wedge15);
+  EXPECT_EQ(make(revolved(90, 4, box("tri6", 2, 2), automatic))->blocks()[0].shape, CellShape::tet10);
+  // one cell cut along its diagonal: a triangle that stands on the axis, and one that touches it
+  EXPECT_CONTAINS(input_error([&] { make(revolved(90, 2, box("tri6", 1, 1), wedges)); }),
+                  "mesh/plane: its triangle with a corner at (0, 0) touches the axis with that corner only, where a "
+                  "wedge would become a pyramid; let 'triangles become' tetrahedra");
+}
+
 /// A disc of radius 2 with heights 0 to 1: the left side of the plane is the axis.
 TEST(RevolvedMesh, TrianglesCollapseAtTheAxis) {
   for (const char* cell : {"tri6", "tri3"})
@@ -163,10 +238,6 @@ TEST(RevolvedMesh, OfAGmshModelWithPointsAndCurvedSides) {
 
 TEST(SweptMesh, Errors) {
   const auto message = [](const std::string& entries) { return input_error([&] { make(entries); }); };
-  EXPECT_CONTAINS(
-      message(revolved(90, 2, box("quad9", 2, 2))),
-      "mesh/plane: its quadrilateral with a corner at (0, 0) touches the axis, where it would collapse; use "
-      "triangles there");
   EXPECT_CONTAINS(message(revolved(90, 2, box("tri6", 2, 2, parameter("lower", "Array(double)", "{-1, 0}")))),
                   "mesh/plane: an axisymmetric mesh needs radii x >= 0");
   EXPECT_CONTAINS(message(revolved(361, 8, ring("quad4"))), "mesh/angle: 361 is out of range");

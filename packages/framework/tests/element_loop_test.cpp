@@ -40,7 +40,8 @@ TEST(ElementLoop, IntegratesAForceOverTheVolumeOfEveryShape) {
   };
   for (const Geometry geometry : {Geometry::plane_strain, Geometry::axisymmetric})
     for (const char* cell : {"tri3", "tri6", "quad4", "quad9"}) check(geometry, cell);
-  for (const char* cell : {"tet4", "tet10", "hex8", "hex27"}) check(Geometry::space, cell);
+  for (const char* cell : {"tet4", "tet10", "hex8", "hex27", "wedge6", "wedge15", "wedge18"})
+    check(Geometry::space, cell);
 }
 
 TEST(ElementLoop, CountsFoldedElements) {

@@ -42,7 +42,7 @@ struct LoopModel {
     CellShape shape = CellShape::line2;
     for (const Side& side : mesh->side_sets().at(set)) {
       const ElementBlock& cells = mesh->blocks()[side.block];
-      shape = side_shape(cells.shape);
+      shape = side_shape(cells.shape, side.side);
       nodes.emplace_back();
       for (const int a : side_nodes(cells.shape, side.side)) nodes.back().push_back(cells.nodes(side.element, a));
     }

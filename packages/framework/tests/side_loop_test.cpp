@@ -47,13 +47,15 @@ TEST(SideLoop, APressureOnOneSideIsItsArea) {
     check(Geometry::plane_strain, cell, 2);
     check(Geometry::axisymmetric, cell, 4 * pi);
   }
-  for (const char* cell : {"tet4", "tet10", "hex8", "hex27"}) check(Geometry::space, cell, 2);
+  for (const char* cell : {"tet4", "tet10", "hex8", "hex27", "wedge6", "wedge15", "wedge18"})
+    check(Geometry::space, cell, 2);
 }
 
 TEST(SideLoop, APressureAllAroundIsInBalance) {
-  for (const Geometry geometry : {Geometry::plane_strain, Geometry::space}) {
-    const bool space = geometry == Geometry::space;
-    const LoopModel model(geometry, space ? "tet10" : "tri6", 2, 2);
+  for (const char* cell : {"tri6", "tet10", "wedge15"}) {
+    const bool space = cell[0] != 't' || cell[1] == 'e';
+    const Geometry geometry = space ? Geometry::space : Geometry::plane_strain;
+    const LoopModel model(geometry, cell, 2, 2);
     model.set(model.value, [](const Point& x) {
       return Point{0.1 * x[0] * x[1] + 0.05 * x[2], 0.1 * std::sin(x[0]), 0.1 * x[2] * x[0]};
     });
@@ -124,6 +126,7 @@ TEST(SideLoop, TheTangentIsTheDifferencedResidual) {
   EXPECT_LT(error_of_tangent(Geometry::plane_strain, "quad4"), 1e-8);
   EXPECT_LT(error_of_tangent(Geometry::axisymmetric, "tri6"), 1e-8);
   EXPECT_LT(error_of_tangent(Geometry::space, "tet10"), 1e-8);
+  EXPECT_LT(error_of_tangent(Geometry::space, "wedge15"), 1e-8);
 }
 
 TEST(SideLoop, TheTangentOfAFlow) {

@@ -77,8 +77,10 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
 double worst_aspect_ratio(const Soil& soil, const StepView& view) {
   double worst = 1;
   for (const SoilBlock& b : soil.blocks) {
-    const bool plane = dimension(b.shape) == 2;
-    const double equilateral = !is_simplex(b.shape) ? 1.0 : plane ? 4 / std::sqrt(3.0) : std::sqrt(13.5);
+    double largest = mudline::equilateral(side_shape(b.shape, 0));  // of its sides, as a factor
+    for (int s = 1; s < num_sides(b.shape); ++s)
+      largest = std::min(largest, mudline::equilateral(side_shape(b.shape, s)));
+    const double equilateral = mudline::equilateral(b.shape) / largest;
     for (int e = 0; e < b.elements; ++e) {
       const ElementMap element(b.shape, [&](int a) { return &view.x_end(b.nodes(e, a), 0); });
       const ElementSize size = element.size();

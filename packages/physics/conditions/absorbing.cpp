@@ -36,7 +36,8 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
   SideLoad::bind(context, section);
   soil_ = context.shared.find<Soil>();
   if (!soil_) section.fail("an absorbing boundary needs a physics with soil", "type");
-  impedance_ = PointView("impedance", block_.sides, 2);
+  for (const Part& part : parts_) impedance_.emplace_back("impedance", part.block.sides, 2);
+  field_ = space_->find(field_name());
 }
 
 void AbsorbingBoundary::declare_state(StateStore& store) {
@@ -61,37 +62,45 @@ void AbsorbingBoundary::activate(const State& committed, const NodalView& unbala
 
 void AbsorbingBoundary::begin(const StepView& view) {
   const std::vector<Side>& sides = space_->mesh().side_sets().at(set_);
-  for (int s = 0; s < block_.sides; ++s) {
-    const SoilBlock& b = soil_->blocks[sides[s].block];
-    double m = 0, shear = 0, rho = 0;
-    const SoilPoints points(*soil_, b, *view.committed);
-    for (int q = 0; q < b.points; ++q) {
-      const int row = sides[s].element * b.points + q;
-      const ElasticModuli moduli = points.moduli(row);
-      const double storage = points.storage(row), alpha = points.material(row).biot_coefficient;
-      m += (moduli.bulk + 4.0 / 3 * moduli.shear + (b.porous() && storage > 0 ? alpha * alpha / storage : 0.0)) /
-           b.points;
-      shear += moduli.shear / b.points;
-      rho += points.density(row) / b.points;
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    for (int s = 0; s < parts_[p].block.sides; ++s) {
+      const Side& side = sides[parts_[p].sides[s]];
+      const SoilBlock& b = soil_->blocks[side.block];
+      double m = 0, shear = 0, rho = 0;
+      const SoilPoints points(*soil_, b, *view.committed);
+      for (int q = 0; q < b.points; ++q) {
+        const int row = side.element * b.points + q;
+        const ElasticModuli moduli = points.moduli(row);
+        const double storage = points.storage(row), alpha = points.material(row).biot_coefficient;
+        m += (moduli.bulk + 4.0 / 3 * moduli.shear + (b.porous() && storage > 0 ? alpha * alpha / storage : 0.0)) /
+             b.points;
+        shear += moduli.shear / b.points;
+        rho += points.density(row) / b.points;
+      }
+      impedance_[p](s, 0) = normal_factor_ * std::sqrt(rho * m);
+      impedance_[p](s, 1) = tangential_factor_ * std::sqrt(rho * shear);
     }
-    impedance_(s, 0) = normal_factor_ * std::sqrt(rho * m);
-    impedance_(s, 1) = tangential_factor_ * std::sqrt(rho * shear);
-  }
 }
 
 int AbsorbingBoundary::residual(const StepView& view, const ResidualView& f) {
-  if (view.inertia)
-    add_side_residual(geometry(), block_, side_level(view, block_, view.x_old), Dashpots{{}, block_.points, impedance_},
+  const std::size_t acting = view.inertia ? parts_.size() : 0;
+  for (std::size_t p = 0; p < acting; ++p) {
+    const SideBlock& block = parts_[p].block;
+    add_side_residual(geometry(), block, side_level(view, block, view.x_old), Dashpots{{}, block.points, impedance_[p]},
                       f);
+  }
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     for (int i = 0; i < dimension(); ++i) f.add(dof_of(row, i), view.committed->arrays[held_](row, i), 0);
   return 0;
 }
 
 void AbsorbingBoundary::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  if (view.inertia)
-    add_side_tangent(geometry(), block_, side_level(view, block_, view.x_old), Dashpots{{}, block_.points, impedance_},
-                     assembler.scatter(block_.group), weight);
+  const std::size_t acting = view.inertia ? parts_.size() : 0;
+  for (std::size_t p = 0; p < acting; ++p) {
+    const SideBlock& block = parts_[p].block;
+    add_side_tangent(geometry(), block, side_level(view, block, view.x_old), Dashpots{{}, block.points, impedance_[p]},
+                     assembler.scatter(block.group), weight);
+  }
 }
 
 }  // namespace mudline

@@ -30,10 +30,11 @@ class AbsorbingBoundary : public SideLoad {
   int columns() const override { return 0; }  // the dashpots act on the committed configuration
   std::shared_ptr<Soil> soil_;
   double normal_factor_ = 1, tangential_factor_ = 1;
-  int dof_of(std::size_t row, int axis) const { return space_->node_dof(block_.field)(nodes_[row]) + axis; }
-  PointView impedance_;     // (side, normal and tangential) rho c [Pa s/m]
-  int held_ = -1;           // state array: (node of the set, axis) constant force [N]
-  std::vector<int> nodes_;  // by row: owned nodes of the set
+  int dof_of(std::size_t row, int axis) const { return space_->node_dof(field_)(nodes_[row]) + axis; }
+  std::vector<PointView> impedance_;  // by part: (side, normal and tangential) rho c [Pa s/m]
+  int field_ = -1;                    // whose dofs the forces act on
+  int held_ = -1;                     // state array: (node of the set, axis) constant force [N]
+  std::vector<int> nodes_;            // by row: owned nodes of the set
   StateStore* store_ = nullptr;
 };
 

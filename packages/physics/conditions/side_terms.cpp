@@ -1,6 +1,7 @@
 #include "physics/conditions/side_terms.hpp"
 
 #include <cmath>
+#include <map>
 
 #include "discretisation/mesh_topology.hpp"
 #include "framework/side_loop.hpp"
@@ -59,22 +60,29 @@ void SideLoad::bind(const ConditionContext& context, const Section& section) {
                  "type");
   const Mesh& mesh = space_->mesh();
   require_boundary(mesh, section, "set", set_);
-  std::vector<std::vector<int>> nodes;
-  CellShape shape = CellShape::line2;  // for a rank without sides, where the shape does not matter
-  for (const Side& side : mesh.side_sets().at(set_)) {
-    const ElementBlock& block = mesh.blocks()[side.block];
-    shape = side_shape(block.shape);
-    nodes.emplace_back();
-    for (int local : side_nodes(block.shape, side.side)) nodes.back().push_back(block.nodes(side.element, local));
+  const std::vector<Side>& sides = mesh.side_sets().at(set_);
+  parts_.clear();
+  std::map<CellShape, std::vector<int>> of_shape;
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    of_shape[side_shape(mesh.blocks()[sides[s].block].shape, sides[s].side)].push_back(static_cast<int>(s));
+  for (auto& [shape, own] : of_shape) {
+    std::vector<std::vector<int>> nodes;
+    for (const int s : own) {
+      const ElementBlock& block = mesh.blocks()[sides[s].block];
+      nodes.emplace_back();
+      for (int local : side_nodes(block.shape, sides[s].side))
+        nodes.back().push_back(block.nodes(sides[s].element, local));
+    }
+    const SideBlock block(*space_, field, shape, nodes, 5);
+    parts_.push_back({block, PointView("load", block.sides * block.points, columns()), std::move(own)});
   }
-  block_ = SideBlock(*space_, field, shape, nodes, 5);
-  load_ = PointView("load", block_.sides * block_.points, columns());
 }
 
 void SideLoad::tabulate(const Function& function, double time, const ConstCoordinateView& x, int column) const {
-  for (int s = 0; s < block_.sides; ++s)
-    for (int q = 0; q < block_.points; ++q)
-      load_(s * block_.points + q, column) = function(time, block_.place(s, q, x));
+  for (const Part& part : parts_)
+    for (int s = 0; s < part.block.sides; ++s)
+      for (int q = 0; q < part.block.points; ++q)
+        part.load(s * part.block.points + q, column) = function(time, part.block.place(s, q, x));
 }
 
 void Traction::parameters(Parameters& p) {
@@ -93,14 +101,16 @@ void Traction::tabulate_components(const StepView& view) const {
 
 int Traction::residual(const StepView& view, const ResidualView& f) {
   tabulate_components(view);
-  add_side_residual(geometry(), block_, side_level(view, block_, view.momentum.x), FixedTraction{{}, load_}, f);
+  for (const auto& [block, load, sides] : parts_)
+    add_side_residual(geometry(), block, side_level(view, block, view.momentum.x), FixedTraction{{}, load}, f);
   return 0;
 }
 
 void Traction::jacobian(const StepView& view, Assembler& assembler, double weight) {
   tabulate_components(view);
-  add_side_tangent(geometry(), block_, side_level(view, block_, view.momentum.x, view.momentum.geometry_weight),
-                   FixedTraction{{}, load_}, assembler.scatter(block_.group), weight);
+  for (const auto& [block, load, sides] : parts_)
+    add_side_tangent(geometry(), block, side_level(view, block, view.momentum.x, view.momentum.geometry_weight),
+                     FixedTraction{{}, load}, assembler.scatter(block.group), weight);
 }
 
 void SurfacePressure::parameters(Parameters& p) {
@@ -120,32 +130,35 @@ void SurfacePressure::tabulate_values(const StepView& view) const {
 void SurfacePressure::tabulate_gradient(const StepView& view) const {
   if (position_ == Position::initial || value_.is_constant()) return;  // the gradient stays 0
   const ConstCoordinateView& x = view.momentum.x;
-  for (int s = 0; s < block_.sides; ++s) {
-    double square = 0;  // square of the distance between two corners
-    for (int i = 0; i < dimension(); ++i) square += std::pow(x(block_.nodes(s, 1), i) - x(block_.nodes(s, 0), i), 2);
-    const double h = 5e-7 * std::sqrt(square);
-    for (int q = 0; q < block_.points; ++q)
-      for (int i = 0; i < dimension(); ++i) {
-        Point low = block_.place(s, q, x), high = low;
-        low[i] -= h;
-        high[i] += h;
-        load_(s * block_.points + q, 2 + i) =
-            (value_(view.momentum.time, high) - value_(view.momentum.time, low)) / (2 * h);
-      }
-  }
+  for (const auto& [block, load, sides] : parts_)
+    for (int s = 0; s < block.sides; ++s) {
+      double square = 0;  // square of the distance between two corners
+      for (int i = 0; i < dimension(); ++i) square += std::pow(x(block.nodes(s, 1), i) - x(block.nodes(s, 0), i), 2);
+      const double h = 5e-7 * std::sqrt(square);
+      for (int q = 0; q < block.points; ++q)
+        for (int i = 0; i < dimension(); ++i) {
+          Point low = block.place(s, q, x), high = low;
+          low[i] -= h;
+          high[i] += h;
+          load(s * block.points + q, 2 + i) =
+              (value_(view.momentum.time, high) - value_(view.momentum.time, low)) / (2 * h);
+        }
+    }
 }
 
 int SurfacePressure::residual(const StepView& view, const ResidualView& f) {
   tabulate_values(view);
-  add_side_residual(geometry(), block_, side_level(view, block_, view.momentum.x), FollowingPressure{{}, load_}, f);
+  for (const auto& [block, load, sides] : parts_)
+    add_side_residual(geometry(), block, side_level(view, block, view.momentum.x), FollowingPressure{{}, load}, f);
   return 0;
 }
 
 void SurfacePressure::jacobian(const StepView& view, Assembler& assembler, double weight) {
   tabulate_values(view);
   tabulate_gradient(view);
-  add_side_tangent(geometry(), block_, side_level(view, block_, view.momentum.x, view.momentum.geometry_weight),
-                   FollowingPressure{{}, load_}, assembler.scatter(block_.group), weight);
+  for (const auto& [block, load, sides] : parts_)
+    add_side_tangent(geometry(), block, side_level(view, block, view.momentum.x, view.momentum.geometry_weight),
+                     FollowingPressure{{}, load}, assembler.scatter(block.group), weight);
 }
 
 void NormalFlux::parameters(Parameters& p) {
@@ -159,7 +172,8 @@ void NormalFlux::parameters(Parameters& p) {
 // stretched.
 int NormalFlux::residual(const StepView& view, const ResidualView& f) {
   tabulate(value_, view.balance.time, initial(), 0);
-  add_side_residual(geometry(), block_, side_level(view, block_, initial()), Outflow{{}, load_}, f);
+  for (const auto& [block, load, sides] : parts_)
+    add_side_residual(geometry(), block, side_level(view, block, initial()), Outflow{{}, load}, f);
   return 0;
 }
 

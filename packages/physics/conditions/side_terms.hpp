@@ -14,13 +14,21 @@ class SideLoad : public Condition, public Term {
   void bind(const ConditionContext& context, const Section& section) override;
   Term* term() override { return this; }
   std::string name() const override { return kind() + "/" + Condition::name; }
-  void sparsity(Assembler& assembler) override { block_.group = assembler.add_group(block_.dofs); }
+  void sparsity(Assembler& assembler) override {
+    for (Part& part : parts_) part.block.group = assembler.add_group(part.block.dofs);
+  }
 
  protected:
   virtual std::string kind() const = 0;
   virtual std::string field_name() const { return "displacement"; }
   void declare_set(Parameters& p);
-  /// Fills one column of the load table with values of a function at the quadrature points; row = side * points + q.
+  /// The sides of one shape.
+  struct Part {
+    SideBlock block;
+    PointView load;          // (side * points + q, columns of the load)
+    std::vector<int> sides;  // their numbers in the set, on this rank
+  };
+  /// Fills one column of the load tables with values of a function at the quadrature points.
   void tabulate(const Function& function, double time, const ConstCoordinateView& x, int column) const;
   ConstCoordinateView initial() const { return space_->mesh().coordinates(); }
   Geometry geometry() const { return space_->mesh().geometry(); }
@@ -28,8 +36,7 @@ class SideLoad : public Condition, public Term {
 
   std::string set_;
   const Space* space_ = nullptr;
-  SideBlock block_;
-  PointView load_;  // (side * points + q, columns of the load)
+  std::vector<Part> parts_;
 
  private:
   virtual int columns() const = 0;

@@ -4,36 +4,11 @@
 #include <stdexcept>
 
 #include "core/errors.hpp"
+#include "discretisation/cells/cell.hpp"
 
 namespace mudline::field_layout {
 
 namespace {
-
-/// Cell number of a shape in XDMF's mixed topology.
-int xdmf_cell(CellShape shape) {
-  switch (shape) {
-    case CellShape::tri3:
-      return 4;
-    case CellShape::quad4:
-      return 5;
-    case CellShape::tri6:
-      return 36;
-    case CellShape::quad9:
-      return 35;
-    case CellShape::tet4:
-      return 6;
-    case CellShape::hex8:
-      return 9;
-    case CellShape::tet10:
-      return 38;
-    case CellShape::hex27:
-      return 50;
-    case CellShape::line2:
-    case CellShape::line3:
-      break;  // no cells
-  }
-  throw std::logic_error("a cell shape without an XDMF number");
-}
 
 /// Reorders columns as XDMF wants them: z = 0 for plane vectors, tensors from xx yy zz yz xz xy to xx xy xz yy yz zz.
 std::vector<double> stored_columns(const std::vector<double>& values, int components) {
@@ -64,7 +39,7 @@ std::vector<long long> element_rows(const Mesh& mesh) {
     const auto& regions = mesh.regions();
     const long long region = std::find(regions.begin(), regions.end(), block.region) - regions.begin();
     for (int e = 0; e < block.num_elements; ++e) {
-      rows.push_back(xdmf_cell(block.shape));
+      rows.push_back(cell(block.shape).xdmf);
       rows.push_back(region);
       for (int i = 0; i < max_nodes; ++i) rows.push_back(i < count ? mesh.node_ids()[nodes(e, i)] : -1);
     }

@@ -1,4 +1,5 @@
-"""What the tests in space share: meshes written as Gmsh does, decks as dictionaries, fields with norms over tetrahedra and hexahedra."""
+"""What the tests in space share: meshes written as Gmsh does, decks as dictionaries, fields with norms over tetrahedra,
+wedges and hexahedra."""
 import os
 
 import h5py
@@ -7,16 +8,26 @@ import numpy as np
 from mudline_case import ROOT, History, MudlineCase, deck_text
 
 SIDES = ("left", "right", "front", "back", "bottom", "top")
-SHAPES = {6: "tet4", 38: "tet10", 9: "hex8", 50: "hex27"}  # XDMF's codes
+SHAPES = {6: "tet4", 38: "tet10", 9: "hex8", 50: "hex27", 8: "wedge6", 40: "wedge15", 41: "wedge18"}  # XDMF's codes
+CORNERS = {"tet": 4, "hex": 8, "wedge": 6}
 TET_EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
 HEX = np.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2),  # as VTK numbers them
                 (1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
                 (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1), (0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)])
+WEDGE_EDGES = ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5))
+WEDGE_FACES = ((0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5), (0, 2, 1), (3, 4, 5))
 # what Gmsh has at each place of its own numbering
-GMSH_TYPE = {"tet4": 4, "tet10": 11, "hex8": 5, "hex27": 12}
-GMSH_SIDE = {"tet4": 2, "tet10": 9, "hex8": 3, "hex27": 10}
+GMSH_TYPE = {"tet4": 4, "tet10": 11, "hex8": 5, "hex27": 12, "wedge6": 6, "wedge15": 18, "wedge18": 13}
+GMSH_SIDE = {3: 2, 6: 9, 4: 3, 8: 16, 9: 10}  # by the number of nodes
+GMSH_WEDGE = [0, 1, 2, 3, 4, 5, 6, 8, 12, 7, 13, 14, 9, 11, 10, 15, 17, 16]
 GMSH_HEX = [0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 16, 9, 17, 10, 18, 19, 12, 15, 13, 14, 24, 22, 20, 21, 23, 25, 26]
 GMSH_TET = [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]
+GMSH_ORDER = {"tet": GMSH_TET, "hex": GMSH_HEX, "wedge": GMSH_WEDGE}
+
+
+def kind(cell):
+    """The shape without its number of nodes."""
+    return cell.rstrip("0123456789")
 
 
 def rotation(axis=(1.0, 2.0, -0.7), angle=0.9):
@@ -27,7 +38,7 @@ def rotation(axis=(1.0, 2.0, -0.7), angle=0.9):
 
 
 class BoxMesh:
-    """A box of hexahedra, or of six tetrahedra in each, whose nodes may be moved: by `move` the corners, the others stay
+    """A box of hexahedra, or of six tetrahedra or two wedges in each, whose nodes may be moved: by `move` the corners, the others stay
     midway (straight sides), or with `curved` all of them."""
 
     def __init__(self, cell, cells, upper=(1.0, 1.0, 1.0), move=None, curved=False):
@@ -47,6 +58,14 @@ class BoxMesh:
             self.cells, corners = hexes, 8
             around = [np.flatnonzero([all(h == 1 or h == c for h, c in zip(HEX[a], HEX[b])) for b in range(8)]) for a in range(27)]
             faces = [np.flatnonzero(HEX[:, d] == v) for d in range(3) for v in (0, 2)]
+        elif kind(cell) == "wedge":
+            wedges = []
+            for corners in (((0, 0), (2, 0), (2, 2)), ((0, 0), (2, 2), (0, 2))):
+                place = np.array([(*xy, z) for z in (0, 2) for xy in corners])
+                middles = [(place[a] + place[b]) // 2 for a, b in WEDGE_EDGES] + [place[list(f)].sum(axis=0) // 4 for f in WEDGE_FACES[:3]]
+                wedges.append(number(first[:, None, :] + np.vstack([place, middles])[None]))
+            self.cells, corners = np.concatenate(wedges), 6
+            around = [[a] for a in range(6)] + [list(e) for e in WEDGE_EDGES] + [list(f) for f in WEDGE_FACES[:3]]
         else:
             tets = []
             for path in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)):
@@ -74,6 +93,16 @@ class BoxMesh:
                 assert set(local) == set(faces[i])
                 chosen = self.cells[on[self.cells[:, local[8]]]][:, local]
                 self.sides[name] = chosen[:, wanted]
+            elif kind(cell) == "wedge":
+                found = []
+                for f, face in enumerate(WEDGE_FACES):
+                    edge = [6 + next(k for k, e in enumerate(WEDGE_EDGES) if set(e) == set(pair)) for pair in zip(face, face[1:] + face[:1])]
+                    centre = [15 + f] if f < 3 and cell == "wedge18" else []
+                    local = list(face) + ([] if cell == "wedge6" else edge + centre)
+                    chosen = self.cells[on[self.cells[:, list(face)]].all(axis=1)]
+                    if len(chosen):
+                        found.append(chosen[:, local])
+                self.sides[name] = np.concatenate(found)
             else:
                 found = []
                 for a, b, c in ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1)):
@@ -84,6 +113,9 @@ class BoxMesh:
         if cell in ("tet4", "hex8"):
             self.cells = self.cells[:, :corners]
             self.sides = {k: v[:, :3 if cell == "tet4" else 4] for k, v in self.sides.items()}
+
+        if kind(cell) == "wedge":
+            self.cells = self.cells[:, :int(cell[5:])]
 
     def turned(self, matrix):
         self.nodes = self.nodes @ matrix.T
@@ -101,10 +133,10 @@ def write_boxes(path, boxes):
     for box_name, box in boxes.items():
         used, index = np.unique(box.cells, return_inverse=True)
         index = index.reshape(box.cells.shape)
-        order = (GMSH_TET if box.cell.startswith("tet") else GMSH_HEX)[:box.cells.shape[1]]
+        order = GMSH_ORDER[kind(box.cell)][:box.cells.shape[1]]
         for side_name in SIDES:
             names.append((2, f"{box_name} {side_name}".strip()))
-            lines += [(GMSH_SIDE[box.cell], len(names), first + side) for side in np.searchsorted(used, box.sides[side_name])]
+            lines += [(GMSH_SIDE[len(side)], len(names), first + side) for side in np.searchsorted(used, box.sides[side_name])]
         names.append((3, box_name or "soil"))
         lines += [(GMSH_TYPE[box.cell], len(names), first + cell[order]) for cell in index]
         nodes += box.nodes[used].tolist()
@@ -130,6 +162,8 @@ def _shapes(shape, xi):
         pairs = np.array(TET_EDGES)
         return (np.concatenate([L * (2 * L - 1), 4 * L[pairs[:, 0]] * L[pairs[:, 1]]]),
                 np.vstack([(4 * L - 1)[:, None] * dL, 4 * (dL[pairs[:, 0]] * L[pairs[:, 1], None] + L[pairs[:, 0], None] * dL[pairs[:, 1]])]))
+    if shape.startswith("wedge"):
+        return _wedge_shapes(shape, np.array(xi))
     x = np.array(xi)
     if shape == "hex8":
         value, slope, places = np.array([(1 - x) / 2, (1 + x) / 2]), np.array([-0.5 * np.ones(3), 0.5 * np.ones(3)]), HEX[:8] // 2
@@ -140,32 +174,57 @@ def _shapes(shape, xi):
     return along.prod(axis=1), np.stack([steep[:, d] * along[:, [e for e in range(3) if e != d]].prod(axis=1) for d in range(3)], axis=1)
 
 
+def _wedge_shapes(shape, xi):
+    """Of the 15 nodes by their conditions: the polynomials x^i y^j z^k that the cell holds are found again at the nodes."""
+    corners = np.array([(0, 0, -1), (1, 0, -1), (0, 1, -1), (0, 0, 1), (1, 0, 1), (0, 1, 1)], dtype=float)
+    around = [[a] for a in range(6)] + [list(e) for e in WEDGE_EDGES] + [list(f) for f in WEDGE_FACES[:3]]
+    nodes = np.array([corners[a].mean(axis=0) for a in around])[:int(shape[5:])]
+    plane = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)]
+    powers = {"wedge6": [(i, j, k) for i, j in plane[:3] for k in (0, 1)], "wedge18": [(i, j, k) for i, j in plane for k in (0, 1, 2)],
+              "wedge15": [(i, j, k) for i, j in plane for k in (0, 1)] + [(i, j, 2) for i, j in plane[:3]]}[shape]
+
+    def terms(x):
+        return np.array([x[0] ** i * x[1] ** j * x[2] ** k for i, j, k in powers])
+
+    def slopes(x):
+        return np.array([[i * x[0] ** max(i - 1, 0) * x[1] ** j * x[2] ** k, j * x[0] ** i * x[1] ** max(j - 1, 0) * x[2] ** k,
+                          k * x[0] ** i * x[1] ** j * x[2] ** max(k - 1, 0)] for i, j, k in powers])
+
+    at_nodes = np.array([terms(node) for node in nodes]).T  # (term, node)
+    return np.linalg.solve(at_nodes, terms(xi)), np.linalg.solve(at_nodes, slopes(xi))
+
+
 def _rule(shape):
-    """Gauss points and weights; tetrahedra as collapsed cubes, exact to degree 5."""
+    """Gauss points and weights; tetrahedra as collapsed cubes, exact to degree 5, and the triangles of wedges as squares."""
     g, w = np.polynomial.legendre.leggauss(4)
     for i in range(4):
         for j in range(4):
             for k in range(4):
                 if shape.startswith("hex"):
                     yield (g[i], g[j], g[k]), w[i] * w[j] * w[k]
+                elif shape.startswith("wedge"):
+                    a, b = (1 + g[i]) / 2, (1 + g[j]) / 2
+                    yield (a, b * (1 - a), g[k]), w[i] * w[j] * w[k] / 4 * (1 - a)
                 else:
                     a, b, c = (1 + g[i]) / 2, (1 + g[j]) / 2, (1 + g[k]) / 2
                     yield (a, b * (1 - a), c * (1 - a) * (1 - b)), w[i] * w[j] * w[k] / 8 * (1 - a) ** 2 * (1 - b)
 
 
 class Fields:
-    """Mesh and last fields of a run whose cells are all of one shape."""
+    """Mesh and last fields of a run. `cells` and what integrates over them are for cells of one shape; of several they are those of
+    the first."""
 
     def __init__(self, folder, stem, step=-1):
         with h5py.File(os.path.join(folder, "results", stem + ".h5"), "r") as file:
             topology = file["mesh/topology"][:]
             self.shape = SHAPES[topology[0]]
-            self.cells = topology.reshape(-1, 1 + int(self.shape[3:]))[:, 1:]
+            rows = np.split(topology, file["mesh/offset"][1:])
+            self.cells = np.array([row[1:] for row in rows if row[0] == topology[0]])
             self.nodes = file["mesh/coordinates"][:]
             last = file["steps"][sorted(file["steps"])[step]]
             self.nodal = {name: last["nodal"][name][:] for name in last["nodal"]}
             self.cell = {name: last["cell"][name][:] for name in last["cell"]}
-        self.vertices = np.unique(self.cells[:, :4 if self.shape.startswith("tet") else 8])
+        self.vertices = np.unique(self.cells[:, :CORNERS[kind(self.shape)]])
 
     def points(self):
         """(places, weights times volume, shape values) of every quadrature point of all cells."""
@@ -183,11 +242,11 @@ class Fields:
     def l2_error(self, values, exact, linear=False):
         """Of nodal values (node) or (node, 3) against exact(x, y, z), relative to the norm of the exact ones; `linear`: the
         field lives on the corners."""
-        corners = 4 if self.shape.startswith("tet") else 8
+        corners = CORNERS[kind(self.shape)]
         off = size = 0.0
         for place, weight, shape, xi in self.points():
             if linear:
-                shape = _shapes("tet4" if corners == 4 else "hex8", xi)[0]
+                shape = _shapes(f"{kind(self.shape)}{corners}", xi)[0]
             found = np.tensordot(values[self.cells[:, :corners] if linear else self.cells], shape, axes=(1, 0))
             true = np.stack(np.broadcast_arrays(*exact(*place.T)), axis=-1) if values.ndim > 1 else exact(*place.T)
             off += (weight * ((found - true) ** 2).reshape(len(weight), -1).sum(axis=1)).sum()

@@ -76,12 +76,15 @@ class Hertz(SpaceCase):
     def test_tetrahedra(self):
         self.check("tet10", (8, 8, 8))
 
+    def test_wedges(self):
+        self.check("wedge15", (8, 8, 8))
+
 
 class Patch(SpaceCase):
     """A smooth plate on distorted cells presses evenly."""
 
     def test_distorted(self):
-        for cell in ("tet10", "hex27", "tet4", "hex8"):
+        for cell in ("tet10", "hex27", "wedge15", "tet4", "hex8"):
             with self.subTest(cell=cell):
                 conditions = {**SYMMETRY, "base": {"type": "fixed", "set": "bottom", "components": "z"}}
                 self.run_text("patch", deck(

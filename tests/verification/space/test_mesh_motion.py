@@ -29,7 +29,7 @@ class MeshMotion(SpaceCase):
                   "inside": {"point": [0.17, 0.23, 0.41], "moves with": "nothing"},
                   "outside": {"point": [0.1, 0.2, 1.0], "moves with": "nothing"}}
         probes = self.write("probes.xml", deck_text("probes", {"output": {"probes": places}}))
-        for cell in ("tet10", "hex27"):
+        for cell in ("tet10", "hex27", "wedge15"):
             with self.subTest(cell=cell):
                 still = self.run_deck([TERZAGHI, probes], settings + ["mesh/cell=" + cell])
                 moved = self.run_deck([TERZAGHI, probes, overlay], settings + ["mesh/cell=" + cell, "output/name=moved"], name="moved", extra=["--overwrite"])
@@ -46,7 +46,7 @@ class MeshMotion(SpaceCase):
 
     def test_uniform_stress_survives(self):
         stress = {"effective stress xx": 3e4, "effective stress yy": 5e4, "effective stress zz": 2e4, "shear stress xy": 1e4, "shear stress yz": -4e3}
-        for cell in ("tet4", "tet10", "hex8", "hex27"):
+        for cell in ("tet4", "tet10", "hex8", "hex27", "wedge6", "wedge15", "wedge18"):
             with self.subTest(cell=cell):
                 deck = self.write("uniform.xml", deck_text("uniform", {
                     "mesh": {"type": "box", "geometry": "three-dimensional", "cell": cell, "cells": [3, 3, 3], "upper": [1.0, 1.0, 1.0], "distortion": 0.2},

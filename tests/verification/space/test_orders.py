@@ -78,7 +78,7 @@ class Orders(SpaceCase):
     def test_displacement_in_space(self):
         formulas = kelvin()
         exact = [value(formulas[c]) for c in "xyz"]
-        for cell in ("tet10", "hex27"):
+        for cell in ("tet10", "hex27", "wedge15", "wedge18"):
             for kind, move, least in (("even", None, 2.9), ("bent", bent, 2.8)):
                 with self.subTest(cell=cell, mesh=kind):
                     errors = []
@@ -94,7 +94,7 @@ class Orders(SpaceCase):
         starts from a fiftieth, and what is wrong about that start drains away."""
         conditions, displacement, pressure = swelling_conditions()
         exact_u, exact_p = [value(displacement[c]) for c in "xyz"], value(pressure)
-        for cell in ("tet10", "hex27"):
+        for cell in ("tet10", "hex27", "wedge15", "wedge18"):
             with self.subTest(cell=cell):
                 u, p = [], []
                 for n in (3, 6):

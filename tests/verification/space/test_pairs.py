@@ -41,7 +41,7 @@ class Patch(PairCase):
         return history, stress
 
     def test_matching(self):
-        for cell in ("tet10", "hex27", "tet4", "hex8"):
+        for cell in ("tet10", "hex27", "wedge15", "tet4", "hex8"):
             with self.subTest(cell=cell):
                 history, stress = self.press(cell, (2, 2, 2), (2, 2, 2))
                 upright = stress[:, 5]

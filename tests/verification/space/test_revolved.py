@@ -8,8 +8,12 @@ from scipy.interpolate import CubicSpline
 from mudline_case import ROOT, deck_text
 from space_case import SATURATED, SpaceCase, quasi_static
 
-PLANE = {"type": "gmsh", "file": os.path.join(ROOT, "inputs", "bearing_capacity", "footing.geo"),
-         "parameters": {"cells": 3, "ratio": 6, "triangles": 1, "width": 4.0, "depth": 3.0}}
+def section(triangles):
+    """The plane mesh: of triangles, or of quadrilaterals, which become hexahedra and at the axis wedges."""
+    return {"type": "gmsh", "file": os.path.join(ROOT, "inputs", "bearing_capacity", "footing.geo"),
+            "parameters": {"cells": 3, "ratio": 6, "triangles": triangles, "width": 4.0, "depth": 3.0}}
+
+
 LOAD = 10.0  # [Pa], ramped over 20 s
 DURATION = 4000.0  # [s], c_v t/a^2 = 4.8
 TIMES = np.array([20.0, 100.0, 400.0, 1500.0, 4000.0])
@@ -32,8 +36,14 @@ def model(name, mesh, up, sides):
 
 class Revolved(SpaceCase):
     def test_circular_load(self):
-        plane = self.run_text("plane", model("plane", {"geometry": "axisymmetric", **PLANE}, "y", {"symmetry": "x"}))
-        mesh = {"type": "revolved", "geometry": "three-dimensional", "angle": 90.0, "layers": 5, "plane": PLANE}
+        self.check("triangles", section(1))
+
+    def test_circular_load_on_quadrilaterals(self):
+        self.check("quadrilaterals", section(0))
+
+    def check(self, cells, section):
+        plane = self.run_text("plane", model("plane", {"geometry": "axisymmetric", **section}, "y", {"symmetry": "x"}))
+        mesh = {"type": "revolved", "geometry": "three-dimensional", "angle": 90.0, "layers": 5, "plane": section}
         space = self.run_text("space", model("space", mesh, "z", {"symmetry": "x y", "start": "y", "end": "x"}))
         settlement = CubicSpline(plane.time, plane["probe/centre/displacement y"])(DURATION)
 
@@ -41,12 +51,12 @@ class Revolved(SpaceCase):
             return CubicSpline(space.time, space[of_space])(TIMES), CubicSpline(plane.time, plane[of_plane])(TIMES)
 
         for probe in ("centre", "edge", "below", "beside"):
-            self.assert_near(f"{probe}: settlement", *both(f"probe/{probe}/displacement y", f"probe/{probe}/displacement z"), 5e-3, settlement)
-            self.assert_near(f"{probe}: radial", *both(f"probe/{probe}/displacement x", f"probe/{probe}/displacement x"), 5e-3, settlement)
+            self.assert_near(f"{cells}, {probe}: settlement", *both(f"probe/{probe}/displacement y", f"probe/{probe}/displacement z"), 5e-3, settlement)
+            self.assert_near(f"{cells}, {probe}: radial", *both(f"probe/{probe}/displacement x", f"probe/{probe}/displacement x"), 5e-3, settlement)
         for probe in ("below", "beside"):
-            self.assert_near(f"{probe}: pressure", *both(f"probe/{probe}/pore pressure", f"probe/{probe}/pore pressure"), 5e-3, LOAD)
+            self.assert_near(f"{cells}, {probe}: pressure", *both(f"probe/{probe}/pore pressure", f"probe/{probe}/pore pressure"), 5e-3, LOAD)
         found, expected = both("reaction/base y", "reaction/base z")
-        self.assert_near("reaction of the base", 4 * found, expected, 5e-3)
+        self.assert_near(f"{cells}, reaction of the base", 4 * found, expected, 5e-3)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,23 @@
+// A unit square in rectangles and a triangle beside it, drawn upwards: hexahedra and prisms with common sides.
+Point(1) = {0, 0, 0};
+Point(2) = {1, 0, 0};
+Point(3) = {1, 1, 0};
+Point(4) = {0, 1, 0};
+Point(5) = {2, 0, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {2, 5};
+Line(6) = {5, 3};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Curve Loop(2) = {5, 6, -2};
+Plane Surface(2) = {2};
+Transfinite Curve{1, 2, 3, 4, 5, 6} = 3;
+Transfinite Surface{1};
+Recombine Surface{1};
+block[] = Extrude {0, 0, 1} { Surface{1, 2}; Layers{2}; Recombine; };
+Physical Volume("soil") = {block[1], block[7]};
+Physical Surface("top") = {block[0], block[6]};
+Physical Surface("front") = {block[2], block[8]};

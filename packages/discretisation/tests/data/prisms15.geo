@@ -1,0 +1,2 @@
+Mesh.SecondOrderIncomplete = 1;
+Include "prisms.geo";
