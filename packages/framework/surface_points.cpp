@@ -147,7 +147,7 @@ SurfacePoints::SurfacePoints(const Mesh& mesh, const std::string& side_set, At a
   if (!mesh.has_side_set(side_set)) throw std::logic_error("there is no side set '" + side_set + "'");
   for (const mudline::Side& side : mesh.side_sets().at(side_set)) {
     const ElementBlock& block = mesh.blocks()[side.block];
-    Side here{side_shape(block.shape), {}, count()};
+    Side here{side_shape(block.shape, side.side), {}, count()};
     for (int local : side_nodes(block.shape, side.side)) here.nodes.push_back(block.nodes(side.element, local));
     if (rules_.count(here.shape) == 0) rules_.emplace(here.shape, rule_of(here.shape, at, degree));
     const long long id = block.global_ids[side.element] * most_sides_of_element + side.side;
