@@ -52,8 +52,7 @@ std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateVi
   return result;
 }
 
-ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures)
-    : mesh_(space.mesh()), exchange_(mesh_) {
+ContactSurface::ContactSurface(const Mesh& mesh, const std::string& side_set) : mesh_(mesh), exchange_(mesh_) {
   std::map<CellShape, int> rows;
   for (const Side& side : mesh_.side_sets().at(side_set)) {
     const ElementBlock& block = mesh_.blocks()[side.block];
@@ -63,28 +62,9 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
     here.height = height_above(mesh_, block, here);
     sides_.push_back(here);
   }
-  const int displacement = space.find("displacement");
-  const int pressure = pressures ? space.find("pore pressure") : -1;
-  for (const auto& [shape, count] : rows) {
-    int more = 0;
-    if (pressure >= 0)
-      more = space.field(pressure).support == Support::vertices ? num_corners(shape) : num_nodes(shape);
-    const int width = mesh_.dimension() * num_nodes(shape) + more;
-    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", count, width);
-    for (const SurfaceSide& side : sides_) {
-      if (side.shape != shape) continue;
-      int* to = space.write_dofs(displacement, side.node, side.count, &table(side.row, 0));
-      space.write_dofs(pressure, side.node, more, to);
-    }
-    shapes_.push_back(shape);
-    dofs_[shape] = table;
-  }
+  for (const auto& [shape, count] : rows) shapes_.push_back(shape);
   const long long local = static_cast<long long>(sides_.size());
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_SUM, local, Teuchos::outArg(num_global_sides_));
-}
-
-int ContactSurface::pressure_nodes(CellShape shape) const {
-  return static_cast<int>(dofs(shape).extent(1)) - mesh_.dimension() * num_nodes(shape);
 }
 
 double ContactSurface::shortest(const ConstCoordinateView& x) const {

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "framework/nodal_exchange.hpp"
-#include "framework/space.hpp"
 #include "framework/state.hpp"
 
 namespace mudline {
@@ -16,15 +14,15 @@ struct SurfaceSide {
   CellShape shape;
   int count;      // nodes
   int node[9];    // local, in the order of the shape
-  int row;        // in the dof table of its shape
+  int row;        // among the sides of its shape
   double height;  // [m] height of the element above the side, in the mesh at the start
 };
 
-/// The sides of a side set that may touch a target: nodes, dofs, neighbours over the ranks.
+/// The sides of a side set that may touch a target: nodes, neighbours over the ranks.
 class ContactSurface {
  public:
-  /// `pressures`: the dof tables hold the pore pressures too. Collective.
-  ContactSurface(const Space& space, const std::string& side_set, bool pressures);
+  /// Collective.
+  ContactSurface(const Mesh& mesh, const std::string& side_set);
 
   const std::vector<SurfaceSide>& sides() const { return sides_; }
   const Mesh& mesh() const { return mesh_; }
@@ -32,10 +30,6 @@ class ContactSurface {
   long long num_global_sides() const { return num_global_sides_; }
   /// The shapes that this rank's sides have, in a fixed order.
   const std::vector<CellShape>& shapes() const { return shapes_; }
-  /// Dofs of the sides of a shape: (row, displacements node after node, then pore pressures).
-  const ElementDofs& dofs(CellShape shape) const { return dofs_.at(shape); }
-  /// How many of the first nodes of a side of a shape have their pore pressure in its dofs.
-  int pressure_nodes(CellShape shape) const;
 
   /// Shortest and longest edge of a side, between its corners [m], over all ranks. Collective.
   double shortest(const ConstCoordinateView& x) const;
@@ -49,7 +43,6 @@ class ContactSurface {
   NodalExchange exchange_;
   std::vector<SurfaceSide> sides_;
   std::vector<CellShape> shapes_;
-  std::map<CellShape, ElementDofs> dofs_;
   long long num_global_sides_ = 0;
 };
 

@@ -33,7 +33,6 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
       rows.push_back(row);
     }
   std::sort(rows.begin(), rows.end());
-  num_global_sides_ = static_cast<long long>(rows.size());
   std::unordered_map<long long, int> local;
   for (int node = 0; node < mesh.num_nodes(); ++node) local[mesh.node_ids()[node]] = node;
   for (const auto& row : rows) {

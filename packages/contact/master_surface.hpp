@@ -22,7 +22,6 @@ class MasterSurface {
   };
   /// The sides, in an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
   const std::vector<MasterSide>& sides() const { return sides_; }
-  long long num_global_sides() const { return num_global_sides_; }
 
   /// Prepares near(): the sides' boxes at these coordinates, sorted along the direction in which the surface is longer.
   void sort(const ConstCoordinateView& x);
@@ -31,7 +30,6 @@ class MasterSurface {
 
  private:
   std::vector<MasterSide> sides_;
-  long long num_global_sides_ = 0;
   BoxSearch boxes_;
 };
 

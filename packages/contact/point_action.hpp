@@ -104,7 +104,7 @@ class PointAction {
     const ContactPointLaw& law = point_.law;
     const ContactMotion<T, D> motion = in_motion();
     ContactResponse<T, D> now = respond(law, motion);
-    const bool reached = !now.presses && value(seen_.gap) < point_.reach;
+    const bool reached = !now.presses && point_.reach > 0 && value(seen_.gap) < point_.reach;
     if (reached) add_stiffness_of_touch(now);
     ContactPoint result{};
     result.gap = value(seen_.gap);

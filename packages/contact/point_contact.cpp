@@ -30,7 +30,7 @@ void PointContact::check_parts(const Section& section, bool conserving, bool dam
 void PointContact::make_points(const std::string& surface, ContactPoints kind, int quadrature_degree) {
   set_ = surface;
   if (parts_.drainage.has_film()) laws_.ask_for_pore_pressure();
-  surface_ = std::make_unique<ContactSurface>(context_.space, surface, laws_.read_pore_pressure());
+  surface_ = std::make_unique<ContactSurface>(context_.space.mesh(), surface);
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
@@ -65,7 +65,7 @@ void PointContact::sparsity(Assembler& assembler) {
   for (std::size_t s = 0; s < sides().size(); ++s)
     for (int piece : target_->near(box(s, x), reach_)) {
       const SurfaceSide& side = sides()[s];
-      const int pressures = surface_->pressure_nodes(side.shape);
+      const int pressures = pressure_nodes(side);
       std::vector<int> dofs(axes() * side.count + target_->num_dofs(piece) + pressures);
       int* to = context_.space.write_dofs(displacement_, side.node, side.count, dofs.data());
       to = target_->write_dofs(piece, to);
@@ -111,7 +111,7 @@ int PointContact::evaluate(const StepView& view, bool tangent, const Take& take)
     const SideCoordinates before = side_coordinates(side, x_old), now = side_coordinates(side, x_end);
     const bool near = !candidates_[s].empty(), sound = near && measure(s, before, now, tangent, areas);
     failures += near && !sound;
-    const int pressures = surface_->pressure_nodes(side.shape);
+    const int pressures = pressure_nodes(side);
     const SideFilm water = film(view, s);
     ContactPointLaw acting = law(view, s);
     acting.film = water.acts;
@@ -157,14 +157,10 @@ int PointContact::evaluate(const StepView& view, bool tangent, const Take& take)
       }
       Point slope[max_side_nodes];
       if (water.flows) {
-        const SideCoordinates x = side_coordinates(side, view.x_old);
-        if (axes() == 2)
-          pressure_slopes<2>(points, c, x, pressures, slope);
-        else
-          pressure_slopes<3>(points, c, x, pressures, slope);
+        pressure_slopes(points, c, before, pressures, slope);
         point.drive = -water.weight;
         for (int a = 0; a < pressures; ++a)
-          point.drive += view.value_end(surface_->dofs(side.shape)(side.row, axes() * side.count + a)) * slope[a];
+          point.drive += view.value_end(context_.space.node_dof(pressure_)(side.node[a])) * slope[a];
         point.pressure_slope = slope;
       }
       const ContactPoint result = target_->act(point, place, action);
@@ -287,18 +283,23 @@ void PointContact::write_away(const StepView& view, int row) const {
   write(*view.trial, row, TargetPlace(), point);
 }
 
+int PointContact::pressure_nodes(const SurfaceSide& side) const {
+  if (pressure_ < 0 || !laws_.read_pore_pressure()) return 0;
+  return context_.space.field(pressure_).support == Support::vertices ? num_corners(side.shape) : side.count;
+}
+
 const double* PointContact::pressure_shape(const SurfaceSide& side, int point) const {
   const ContactRule& points = rule(side);
-  return surface_->pressure_nodes(side.shape) < points.nodes ? &points.corner(point, 0) : &points.shape(point, 0);
+  return pressure_nodes(side) < points.nodes ? &points.corner(point, 0) : &points.shape(point, 0);
 }
 
 double PointContact::pore_pressure(std::size_t side, int point, const ConstNodalView& values) const {
   const SurfaceSide& at = sides()[side];
-  const int nodes = surface_->pressure_nodes(at.shape);
+  const int nodes = pressure_nodes(at);
   if (nodes == 0) return 0;
   const double* const shape = pressure_shape(at, point);
   double result = 0;
-  for (int a = 0; a < nodes; ++a) result += shape[a] * values(surface_->dofs(at.shape)(at.row, axes() * at.count + a));
+  for (int a = 0; a < nodes; ++a) result += shape[a] * values(context_.space.node_dof(pressure_)(at.node[a]));
   return result;
 }
 

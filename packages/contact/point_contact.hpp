@@ -157,6 +157,8 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   void leave(const StepView& view, std::size_t side, int row, double gap);
   /// Pore pressure at a point of a side [Pa], of nodal values by overlap dof; 0 where the contact does not read it.
   double pore_pressure(std::size_t side, int point, const ConstNodalView& values) const;
+  /// How many of the first nodes of a side have a pore pressure that the contact reads.
+  int pressure_nodes(const SurfaceSide& side) const;
   /// Shapes of the pore pressure's nodes at a point of a side.
   const double* pressure_shape(const SurfaceSide& side, int point) const;
 

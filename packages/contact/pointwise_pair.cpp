@@ -81,13 +81,7 @@ void PointwisePairContact::measure_points(const ConstCoordinateView& x) {
         // a corner of a quadratic side on the axis has no area: nothing can press there
         if (areas[c] < 1e-9 * lengths[c] * lengths[c]) here.area = 0;
       }
-      if (axes() == 2) {
-        here.outward = {at[1][1] - at[0][1], at[0][0] - at[1][0], 0};
-      } else {
-        SideMap<3> map;
-        map.compute(side.count, &points.shape(c, 0), &points.shape_slope(c, 0), [&](int a, int i) { return at[a][i]; });
-        here.outward = {map.normal[0], map.normal[1], map.normal[2]};
-      }
+      here.outward = points.outward(c, at);
     }
   }
 }

@@ -16,7 +16,7 @@ void FaceParameters::parameters(Parameters& p) {
 void FaceContact::check(const Section& section) {
   const Mesh& mesh = context_.space.mesh();
   check_entries(section, 3);
-  const ContactSurface slave(context_.space, deck_.slave, false);
+  const ContactSurface slave(mesh, deck_.slave);
   bind(section, std::make_unique<MasterFaces>(mesh, deck_.master, deck_.corner_angle * pi / 180),
        ContactPoints::quadrature, deck_.quadrature_degree,
        deck_.reach > 0 ? deck_.reach : 3 * slave.longest(mesh.coordinates()));

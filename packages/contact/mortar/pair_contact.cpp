@@ -231,7 +231,7 @@ void PairContact::check(const Section& section) {
     section.section("friction")
         .fail("this law reads the path slid, which a mortar contact does not keep; allowed with it: node to segment",
               "type");
-  slave_ = std::make_unique<ContactSurface>(space, deck_.slave, false);
+  slave_ = std::make_unique<ContactSurface>(mesh, deck_.slave);
   master_ = std::make_unique<MasterSurface>(mesh, deck_.master);
   nodes_ = order(mesh.blocks().front().shape) + 1;
   rule_ = line_quadrature(deck_.quadrature_degree);

@@ -72,4 +72,13 @@ void pressure_slopes(const ContactRule& rule, int c, const SideCoordinates& x_ol
   }
 }
 
+/// Overload that takes the dimension from the side's shape.
+inline void pressure_slopes(const ContactRule& rule, int c, const SideCoordinates& x_old, int pressure_nodes,
+                            Point* slope) {
+  if (dimension(rule.side) == 1)
+    pressure_slopes<2>(rule, c, x_old, pressure_nodes, slope);
+  else
+    pressure_slopes<3>(rule, c, x_old, pressure_nodes, slope);
+}
+
 }  // namespace mudline
