@@ -120,7 +120,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   const int n = space.dofs()->num_overlap_dofs();
   for (NodalView* v : {&reaction_, &total_, &acting_, &whole_}) *v = NodalView("sum of forces", n);
   constraints_ = Constraints(n);
-  measures_ = StepMeasures(space.num_fields());
+  measures_.declare_state(store_, space.num_fields());
   reference_ = rounding_ = matrix_rounding_ = matrix_sizes_ = std::vector<double>(space.num_fields(), 0);
   double squares = 0;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
@@ -352,14 +352,15 @@ void Stepper::measure_rounding(const Vector& x) {
   Vector ones(map());
   ones.putScalar(1);
   matrix_sizes_ = owned_field_norms(*space_.dofs(), absolute_product(*assembler_.matrix(), ones));
-  for (std::size_t i = 0; i < matrix_rounding_.size(); ++i)
-    matrix_rounding_[i] *= rounding_unit * measures_.limit_matrix(i, matrix_sizes_[i]);
+  for (int i = 0; i < space_.num_fields(); ++i)
+    matrix_rounding_[i] *= rounding_unit * measures_.limit_matrix(store_.committed(), i, matrix_sizes_[i]);
 }
 
 std::vector<double> Stepper::allowed(const std::vector<double>& least) const {
   std::vector<double> result;
   for (int i = 0; i < space_.num_fields(); ++i) {
-    const double reference = std::max({reference_[i], least[i], StepMeasures::floor_share * measures_.acting[i]});
+    const double floor = StepMeasures::floor_share * measures_.of(store_.committed(), i, StepMeasures::acting);
+    const double reference = std::max({reference_[i], least[i], floor});
     result.push_back(std::max(tolerances_.residual * reference + rounding_[i], 1e-300));
   }
   return result;
@@ -405,10 +406,11 @@ std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
   const auto update = owned_field_norms(*space_.dofs(), dx), step = owned_field_norms(*space_.dofs(), increment),
              size = owned_field_norms(*space_.dofs(), x);
   std::vector<double> ratios;
-  for (std::size_t i = 0; i < update.size(); ++i) {
+  for (int i = 0; i < space_.num_fields(); ++i) {
     // displacements have the rounding of the coordinates, pressures that of the largest value so far
-    const bool moves = space_.field(static_cast<int>(i)).time_order == 2;
-    const double rounding = 1e-14 * std::max(size[i], std::max(measures_.values[i], moves ? coordinate_norm_ : 0.0));
+    const double place = space_.field(i).time_order == 2 ? coordinate_norm_ : 0.0,
+                 value = measures_.of(store_.committed(), i, StepMeasures::value);
+    const double rounding = 1e-14 * std::max({size[i], value, place});
     const double allowed = tolerances_.update * step[i] + rounding;
     ratios.push_back(update[i] == 0 ? 0.0 : update[i] / std::max(allowed, 1e-300));
   }
@@ -576,8 +578,7 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
     forcing_.forget();
     return report;
   }
-  measures_before_ = measures_;
-  measures_.take(reference_, rounding_, tolerances_.residual, owned_field_norms(*space_.dofs(), x), matrix_sizes_);
+  take_measures(owned_field_norms(*space_.dofs(), x));
   return report;
 }
 

@@ -49,37 +49,34 @@ struct StepTimes {
   double residual = 0, jacobian = 0, linear = 0;
 };
 
-/// Reference sizes for the convergence tests of the coming steps, by field.
-struct StepMeasures {
+/// Reference sizes for the convergence tests of the coming steps: the state array "step measures" with a row per field.
+class StepMeasures {
+ public:
   /// Floor of the reference as a fraction of its largest value in the stage: late in a stage, when all rates have
   /// decayed, tiny changes need not be resolved.
   static constexpr double floor_share = 1e-6;
-  /// Largest size of what acted in a step of the stage so far, or of its rounding; floor_share of it is the floor of
-  /// the reference.
-  std::vector<double> acting;
-  std::vector<double> values;  // largest norm of the field so far, for its rounding
-  std::vector<double> matrix;  // size of the last matrix of the stage; 0: none yet
+  enum Column {
+    acting,  // largest size of what acted in a step of the stage so far, or of its rounding: gives the floor
+    value,   // largest norm of the field so far, for its rounding
+    matrix   // size of the last matrix of the stage; 0: none yet
+  };
 
-  explicit StepMeasures(int fields = 0) : acting(fields, 0), values(fields, 0), matrix(fields, 0) {}
-  void begin_stage() {
-    for (auto* sizes : {&acting, &matrix}) std::fill(sizes->begin(), sizes->end(), 0.0);
+  void declare_state(StateStore& store, int fields) {
+    array_ = store.declare(
+        ArrayInfo::of_model("step measures", {{"acting", 1, "SI"}, {"value", 1, "SI"}, {"matrix", 1, "SI"}}, fields)
+            .not_shown());
   }
-  /// Updates the sizes after a converged step: sizes of what acted and of its rounding, relative tolerance, norms of
-  /// the values at the end, sizes of the matrix (0 where none was built).
-  void take(const std::vector<double>& acted, const std::vector<double>& rounding, double tolerance,
-            const std::vector<double>& norms, const std::vector<double>& matrix_sizes) {
-    for (std::size_t i = 0; i < acting.size(); ++i) {
-      acting[i] = std::max({acting[i], acted[i], rounding[i] / (floor_share * tolerance)});
-      values[i] = std::max(values[i], norms[i]);
-      if (matrix_sizes[i] > 0) matrix[i] = matrix_sizes[i] * limit_matrix(i, matrix_sizes[i]);
-    }
-  }
+  double& of(const State& state, int field, Column column) const { return state.arrays[array_](field, column); }
   /// Factor that limits a matrix size to a million times the last one (that of a step a thousand times shorter). At an
   /// iterate far from a solution the tangent of a law may be huge, and the rounding estimate from it would accept any
   /// residual.
-  double limit_matrix(std::size_t i, double size) const {
-    return matrix[i] > 0 ? std::min(1.0, 1e6 * matrix[i] / size) : 1.0;
+  double limit_matrix(const State& state, int field, double size) const {
+    const double last = of(state, field, matrix);
+    return last > 0 ? std::min(1.0, 1e6 * last / size) : 1.0;
   }
+
+ private:
+  int array_ = -1;
 };
 
 /// One step as a transaction: begin (predictor, search) -> Newton on pure evaluations -> accept or nothing. Translates
@@ -123,9 +120,6 @@ class Stepper : public NonlinearProblem {
   /// ones; on success the trial state is complete. The committed state is untouched.
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
-  /// Rejects the step of the last attempt: restores the reference sizes from before it.
-  void reject() { measures_ = measures_before_; }
-
   // Results for the balances after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
   const std::vector<Term*>& active() const { return active_; }
@@ -143,8 +137,10 @@ class Stepper : public NonlinearProblem {
   StateStore& store() { return store_; }
   const Assembler& assembler() const { return assembler_; }
   const StepTimes& times() const { return times_; }
-  /// Part of a checkpoint.
-  StepMeasures& measures() { return measures_; }
+  /// Forgets what acted in the stage before.
+  void begin_stage();
+  /// Largest norm of each field so far, the last attempt among them.
+  std::vector<double> largest_norms() const;
 
   // NonlinearProblem
   RCP<const Map> map() const override { return space_.dofs()->owned(); }
@@ -235,7 +231,9 @@ class Stepper : public NonlinearProblem {
   // observed iterate.
   std::vector<double> reference_, rounding_, matrix_rounding_, matrix_sizes_, first_norms_, norms_, limits_,
       observed_norms_;
-  StepMeasures measures_, measures_before_;  // now; before the last converged attempt
+  /// Takes the sizes of a converged step; `norms`: of the values at its end.
+  void take_measures(const std::vector<double>& norms);
+  StepMeasures measures_;
   double coordinate_norm_ = 0;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;

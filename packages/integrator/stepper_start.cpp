@@ -1,4 +1,5 @@
-// Evaluations of a committed state outside of steps: F_n, static residual, rates and initial accelerations.
+// Evaluations of a committed state outside of steps: F_n, static residual, rates and initial accelerations; and sizes
+// that are kept from step to step.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -176,6 +177,32 @@ bool Stepper::initialise_rates(const StepRequest& request, double linear_toleran
       for (int i = begin; i < end; ++i)
         (space_.field(f).time_order == 2 ? state.acceleration : state.rate)(i) = result(i);
   return true;
+}
+
+void Stepper::take_measures(const std::vector<double>& norms) {
+  const State &old = store_.committed(), &now = store_.trial();
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    const auto raise = [&](StepMeasures::Column column, double size) {
+      measures_.of(now, f, column) = std::max(measures_.of(old, f, column), size);
+    };
+    raise(StepMeasures::acting,
+          std::max(reference_[f], rounding_[f] / (StepMeasures::floor_share * tolerances_.residual)));
+    raise(StepMeasures::value, norms[f]);
+    if (matrix_sizes_[f] > 0)
+      measures_.of(now, f, StepMeasures::matrix) = matrix_sizes_[f] * measures_.limit_matrix(old, f, matrix_sizes_[f]);
+  }
+}
+
+void Stepper::begin_stage() {
+  for (int f = 0; f < space_.num_fields(); ++f)
+    for (const auto column : {StepMeasures::acting, StepMeasures::matrix})
+      measures_.of(store_.committed(), f, column) = 0;
+}
+
+std::vector<double> Stepper::largest_norms() const {
+  std::vector<double> result;
+  for (int f = 0; f < space_.num_fields(); ++f) result.push_back(measures_.of(store_.trial(), f, StepMeasures::value));
+  return result;
 }
 
 }  // namespace mudline

@@ -48,7 +48,6 @@ StateTransfer transfer_from(Model& from, const Stage& stage, Model& to) {
   result.transfer = std::make_unique<const MeshTransfer>(*from.ale(), before, *to.ale(), state);
   receipt = to.ale()->transfer_from(*from.ale(), from.store(), *result.transfer, constraints, to.store());
   if (!receipt.moved) return result;
-  to.stepper().measures() = from.stepper().measures();
   if (!to.stepper().refresh_history()) {
     receipt.veto = "the state on the new mesh cannot be evaluated" + to.stepper().hints();
     receipt.moved = false;

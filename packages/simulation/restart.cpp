@@ -1,7 +1,6 @@
 // The checkpoint of a run: the whole committed state, the progress of the run, and its deck.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <unordered_map>
@@ -23,8 +22,6 @@ namespace {
 /// Sections of the deck that may change between a run and its continuation.
 const char* const free_sections[] = {"stages", "solver", "output"};
 
-/// Name in the checkpoint of WallDissipation::start(): pressure and place by contact.
-const char* const walls_at_start = "wall at the start/";
 /// Name in the checkpoint of the names and fingerprints of the files of the fields, a line each.
 const char* const field_marks = "field files";
 
@@ -41,12 +38,6 @@ std::vector<long long> packed(const std::vector<char>& bytes) {
 std::vector<char> unpacked(const std::vector<long long>& numbers) {
   const char* first = reinterpret_cast<const char*>(numbers.data() + 1);
   return {first, first + numbers[0]};
-}
-
-/// The measures with the beginnings of their names in the checkpoint, which the field's number follows.
-std::vector<std::pair<std::string, std::vector<double>*>> by_name(StepMeasures& measures) {
-  return {
-      {"reference floor ", &measures.acting}, {"size floor ", &measures.values}, {"matrix size ", &measures.matrix}};
 }
 
 /// The rows of an array of the state, with ids that do not depend on the number of ranks.
@@ -226,15 +217,11 @@ void Run::save_checkpoint() {
   data.scalars["next dt"] = progress_.next_dt;
   data.scalars["last dt"] = progress_.last_dt;
   data.scalars["stage open"] = progress_.stage_open;
-  for (const auto& [name, sizes] : by_name(model_->stepper().measures()))
-    for (std::size_t f = 0; f < sizes->size(); ++f) data.scalars[name + std::to_string(f)] = (*sizes)[f];
   const HistoryMark& history = history_->mark();
   data.integers["history"] = {history.rows, history.bytes, static_cast<long long>(history.fingerprint)};
   data.scalars["field steps"] = fields_->num_steps();
   data.texts["deck"] = origin_.deck;
   data.texts[field_marks] = text_of(fields_->marks());
-  for (const auto& [contact, wall] : walls_->start())
-    data.arrays[walls_at_start + contact] = {wall.pressure, wall.position[0], wall.position[1], wall.position[2]};
   if (model_->ale() && model_->ale()->remeshing()) data.scalars["remesh tried"] = progress_.remesh_tried;
   if (model_->remeshed())
     data.integers[remeshed_mesh] =
@@ -346,11 +333,6 @@ void Run::restore_progress() {
   progress_.next_dt = scalar(data, "next dt");
   progress_.last_dt = scalar(data, "last dt");
   progress_.stage_open = counter(data, "stage open", 1) == 1;
-  std::map<std::string, WallDissipation::Start> walls;
-  for (const auto& [name, wall] : data.arrays)
-    if (name.rfind(walls_at_start, 0) == 0 && wall.size() >= 4)  // the same on all ranks
-      walls[name.substr(std::strlen(walls_at_start))] = {wall[0], {wall[1], wall[2], wall[3]}};
-  walls_->resume(std::move(walls));
   if (data.scalars.count("remesh tried")) progress_.remesh_tried = counter(data, "remesh tried", 2e9);
   if (model_->store().committed().time < progress_.stage_start && progress_.stage_open)
     throw InputError("its time lies before the start of its stage");
@@ -358,8 +340,6 @@ void Run::restore_progress() {
       model_->stages()[std::min<std::size_t>(progress_.stage, model_->stages().size() - 1)]->type !=
           Stage::Type::geostatic)
     throw InputError("the value 'next dt' = " + number_text(progress_.next_dt) + " is impossible");
-  for (const auto& [name, sizes] : by_name(model_->stepper().measures()))
-    for (std::size_t f = 0; f < sizes->size(); ++f) (*sizes)[f] = scalar(data, name + std::to_string(f));
   if (progress_.stage >= static_cast<int>(model_->stages().size()))
     throw InputError("the checkpoint stands in stage " + std::to_string(progress_.stage + 1) + ", but the deck has " +
                      std::to_string(model_->stages().size()) + " stages");

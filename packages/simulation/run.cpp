@@ -16,6 +16,7 @@
 #include "simulation/mesh_watch.hpp"
 #include "simulation/progress_log.hpp"
 #include "simulation/step_report.hpp"
+#include "simulation/wall_dissipation.hpp"
 
 namespace mudline {
 
@@ -71,7 +72,7 @@ void Run::make_observers(Observers watchers) {
   if (settings_.error_estimate) error_estimate_ = add(std::make_unique<ErrorOutput>(settings_.target_error));
   add(std::make_unique<MeshWatch>());
   for (auto& watcher : watchers) add(std::move(watcher));
-  walls_ = add(std::make_unique<WallDissipation>());
+  add(std::make_unique<WallDissipation>());
   // these come after all that have columns and fields
   history_ = add(std::make_unique<HistoryOutput>(settings_, observers_, error_estimate_));
   fields_ = add(std::make_unique<FieldOutput>(settings_, origin_, observers_));
@@ -165,7 +166,7 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.next_dt = stage.control.initial;
   count_increment(0);
   progress_.last_dt = 0;
-  model_->stepper().measures().begin_stage();
+  model_->stepper().begin_stage();
   if (!model_->stepper().refresh_history()) {
     log::error("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
                model_->stepper().hints());
@@ -255,7 +256,7 @@ LocalError Run::local_error(const Stage& stage) const {
   Stepper& stepper = model_->stepper();
   return TimeError(model_->space())
       .measure(stepper.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
-               stepper.measures().values, stage.control.error_tolerance);
+               stepper.largest_norms(), stage.control.error_tolerance);
 }
 
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
@@ -271,7 +272,6 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
       next = stage.control.after_error(dt, error_);
       if (next < 0 && accept(stage, report)) return true;
       if (next > 0) report.reason = "time error " + told(error_.ratio, "%.2g") + " times its tolerance";
-      stepper.reject();
     }
     ++rejected_;
     if (next < 0) next = stage.control.after_failure(dt);

@@ -15,7 +15,6 @@
 #include "simulation/output/checkpoint_file.hpp"
 #include "simulation/output/result_lock.hpp"
 #include "simulation/transfer_log.hpp"
-#include "simulation/wall_dissipation.hpp"
 
 namespace mudline {
 
@@ -121,7 +120,6 @@ class Run {
   ErrorOutput* error_estimate_ = nullptr;  // null: not asked for
   HistoryOutput* history_ = nullptr;
   FieldOutput* fields_ = nullptr;
-  WallDissipation* walls_ = nullptr;
   Progress progress_;
   CheckpointData checkpoint_;  // checkpoint of the restart
   LocalError error_;           // estimate for the step last tried

@@ -9,6 +9,7 @@
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
 #include "simulation/excess_pressure.hpp"
+#include "simulation/output/collective.hpp"
 #include "simulation/pressed_direction.hpp"
 #include "tensor/mat.hpp"
 
@@ -19,6 +20,15 @@ namespace {
 /// Largest thickness of an element at the wall over the smaller of the body's half width and the diffusion length of
 /// the pore pressure. At this thickness linear pressures miss the curvature of the profile by some per cent.
 constexpr double finest = 0.5;
+
+/// State array of what the walls were like when the stage began: a row per contact, 0 where it has no body.
+constexpr const char* at_the_start = "wall at the start";
+enum Column { area, pressure, place };
+
+PointView rows_of(const RunView& run) {
+  const StateStore& store = run.model.store();
+  return run.state.arrays[store.find(at_the_start)];
+}
 
 /// Area of the side and volume of its element [m2, m3], both without the length out of the plane.
 template <int Dim>
@@ -89,32 +99,53 @@ WallDissipation::Wall WallDissipation::look(const Model& model, const Contact& c
   return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]};
 }
 
+void WallDissipation::declare_state(Model& model) {
+  if (model.contacts().empty()) return;
+  ArrayInfo info =
+      ArrayInfo::of_model(
+          at_the_start,
+          {{"area", 1, "m2"}, {"pressure", 1, "Pa"}, {"body x", 1, "m"}, {"body y", 1, "m"}, {"body z", 1, "m"}})
+          .not_shown();
+  for (const auto& [name, contact] : model.contacts())
+    info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
+  info.rows = static_cast<int>(info.ids.size());
+  model.store().declare(std::move(info));
+}
+
 void WallDissipation::begin_stage(const RunView& run) {
   const Model& model = run.model;
-  if (run.resumed || !model.soil() || model.soil()->pressure < 0) return;
+  if (run.resumed || model.contacts().empty() || !model.soil() || model.soil()->pressure < 0) return;
   const NodalView excess = run.pressure.values();
-  start_.clear();
-  for (const auto& [name, contact] : model.contacts()) {
-    const RigidBody* body = contact->partners().body;
+  const PointView start = rows_of(run);
+  Kokkos::deep_copy(start, 0.0);
+  for (std::size_t k = 0; k < model.contacts().size(); ++k) {
+    const Contact& contact = *model.contacts()[k].second;
+    const RigidBody* body = contact.partners().body;
     if (body == nullptr) continue;
-    const Wall wall = look(model, *contact, excess);
-    if (wall.area > 0) start_[name] = {wall.pressure, body->position(model.store().committed())};
+    const Wall wall = look(model, contact, excess);
+    const Point position = body->position(run.state);
+    start(k, area) = wall.area;
+    start(k, pressure) = wall.pressure;
+    for (int i = 0; i < 3; ++i) start(k, place + i) = position[i];
   }
 }
 
 void WallDissipation::end_stage(const RunView& run) {
   const Model& model = run.model;
-  if (run.stage.type == Stage::Type::geostatic || !model.soil() || model.soil()->pressure < 0) return;
+  if (run.stage.type == Stage::Type::geostatic || model.contacts().empty()) return;
+  if (!model.soil() || model.soil()->pressure < 0) return;
   const NodalView excess = run.pressure.values();
-  for (const auto& [name, contact] : model.contacts()) {
-    const auto start = start_.find(name);
-    if (start == start_.end()) continue;
+  const PointView start = rows_of(run);
+  for (std::size_t k = 0; k < model.contacts().size(); ++k) {
+    if (!(start(k, area) > 0)) continue;
+    const auto& [name, contact] = model.contacts()[k];
     const RigidBody& body = *contact->partners().body;
-    const double width = pressed_half_width(model, *contact);
+    const double before = start(k, pressure), width = pressed_half_width(model, *contact);
+    const Point position = {start(k, place), start(k, place + 1), start(k, place + 2)};
     const Wall now = look(model, *contact, excess);
     // only a body at rest is judged
-    const bool rested = length(body.position(model.store().committed()) - start->second.position) < 0.01 * width;
-    if (!rested || !(now.area > 0) || !(start->second.pressure > 0) || now.pressure >= start->second.pressure) continue;
+    const bool rested = length(body.position(run.state) - position) < 0.01 * width;
+    if (!rested || !(now.area > 0) || !(before > 0) || now.pressure >= before) continue;
     char text[300];
     const double way = std::sqrt(now.diffusivity * run.stage.duration);
     const bool coarse = now.thickness > finest * std::min(width, way);
@@ -123,14 +154,13 @@ void WallDissipation::end_stage(const RunView& run) {
           text, sizeof text,
           "contact '%s': excess pore pressure on the wall %.3g -> %.3g kPa, but the mesh does not resolve its "
           "dissipation: elements there are %.2g m thick, more than half of %s %.2g m",
-          name.c_str(), start->second.pressure / 1e3, now.pressure / 1e3, now.thickness,
+          name.c_str(), before / 1e3, now.pressure / 1e3, now.thickness,
           width < way ? "the body's half width," : "the distance that pressures diffuse in the stage,",
           std::min(width, way));
     else
       std::snprintf(text, sizeof text,
                     "contact '%s': excess pore pressure on the wall %.3g -> %.3g kPa, %.0f %% dissipated", name.c_str(),
-                    start->second.pressure / 1e3, now.pressure / 1e3,
-                    100 * (1 - now.pressure / start->second.pressure));
+                    before / 1e3, now.pressure / 1e3, 100 * (1 - now.pressure / before));
     coarse ? log::warn(text) : log::info(std::string("  ") + text);
   }
 }
