@@ -237,6 +237,38 @@ TEST(RevolvedMesh, OfAGmshModelWithPointsAndCurvedSides) {
 }
 #endif
 
+#ifdef MUDLINE_HAVE_GMSH
+TEST(SweptMesh, TrianglesBesideQuadrilateralsBecomeWedgesThatFit) {
+  const std::string upright = parameter("along", "string", "y");
+  for (const auto& [entries, tolerance] : {std::pair{extruded(gmsh("mixed_plane.geo"), upright), 1e-12},
+                                           {revolved(90, 4, gmsh("mixed_plane.geo")), 2e-2}}) {
+    const auto mesh = make(entries);
+    std::set<CellShape> shapes;
+    for (const ElementBlock& block : mesh->blocks()) shapes.insert(block.shape);
+    EXPECT_EQ(shapes, (std::set<CellShape>{CellShape::hex27, CellShape::wedge18}));
+    const bool straight = tolerance < 1e-3;
+    // Pappus: areas 1 and 1/2 around 1.5 and 7/3
+    EXPECT_NEAR(area(*mesh), straight ? 4.5 : 0.5 * pi * (1.5 + 7.0 / 6), tolerance);
+    EXPECT_NEAR(side_integral(*mesh, "base")[3], straight ? -6 : -0.25 * pi * 8, tolerance);
+    EXPECT_NEAR(side_integral(*mesh, "start")[2], -1.5, 1e-12) << "quadrilaterals and triangles";
+    EXPECT_LT(gradient_error(*mesh), 1e-10);
+    EXPECT_EQ(mesh_parts(*mesh).places.size(), 1u);
+  }
+}
+#endif
+
+TEST(SweptMesh, AQuadrilateralMustNotTouchTheAxisWithOneCornerOnly) {
+  GlobalMesh plane;
+  plane.coordinates = {{0, 0}, {1, -1}, {2, 0}, {1, 1}};
+  plane.blocks = {{"soil", CellShape::quad4, {0, 1, 2, 3}}};
+  Sweep sweep;
+  sweep.fixed = {1, 0, 0, 0};
+  sweep.place = [](const Point& x, double layers) { return Point{x[0], x[0] * layers, x[1]}; };
+  EXPECT_CONTAINS(input_error([&] { swept(plane, sweep); }),
+                  "its quadrilateral with a corner at (0, 0) touches the axis with that corner only, where it would "
+                  "collapse; use triangles there");
+}
+
 TEST(SweptMesh, Errors) {
   const auto message = [](const std::string& entries) { return input_error([&] { make(entries); }); };
   EXPECT_CONTAINS(message(revolved(90, 2, box("tri6", 2, 2, parameter("lower", "Array(double)", "{-1, 0}")))),
