@@ -122,7 +122,10 @@ void Remesher::check(const Section& section) const {
   for (const ElementBlock& block : mesh_.mesh().blocks())
     if (!is_simplex(block.shape))
       section.fail(std::string("the mesh has cells ") + name(block.shape) +
-                   "; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed");
+                   "; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed" +
+                   (simplex_coordinates(block.shape) == 2
+                        ? "; a swept mesh has such with 'triangles become' = tetrahedra"
+                        : ""));
   if (in_space()) check_space(section);
 }
 

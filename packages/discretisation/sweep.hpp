@@ -47,7 +47,7 @@ class PlaneMesh {
 
  private:
   enum class Triangles { automatic, wedges, tetrahedra };
-  Triangles triangles_ = Triangles::tetrahedra;
+  Triangles triangles_ = Triangles::automatic;
   std::shared_ptr<const MeshSource> source_;
   std::shared_ptr<const Section> section_;
 };

@@ -220,6 +220,9 @@ DECKS = [
           "mesh motion/boundary/material sides: unknown side set 'tops' (did you mean 'top'?)", ranks=BOTH),
     wrong("remeshing of hexahedra", [with_section("mesh motion", "remeshing", parameter("least steps", "int", "5")), (CELL, parameter("cell", "string", "hex27"))],
           "mesh motion/remeshing: the mesh has cells hex27; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed"),
+    wrong("remeshing of wedges", [with_section("mesh motion", "remeshing", parameter("least steps", "int", "5")), (CELL, parameter("cell", "string", "wedge15"))],
+          "mesh motion/remeshing: the mesh has cells wedge15; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed; "
+          "a swept mesh has such with 'triangles become' = tetrahedra"),
     wrong("remeshing by an error in space", with_section("mesh motion", "remeshing", parameter("size", "string", "source")),
           "mesh motion/remeshing/size: is for meshes of the plane; sizes in space are those of the source",
           at=parameter("size", "string", "source"), ranks=BOTH),

@@ -67,8 +67,8 @@ Cell CellFrame::cell(const char* name, CellShape linear_shape, const std::vector
   for (std::size_t s = 0; s < sides.size(); ++s) {
     Cell::Side side{side_shapes[std::min(s, side_shapes.size() - 1)], sides[s]};
     const int n = static_cast<int>(sides[s].size());
-    for (int c = 0; result.order == 2 && c < (n == 2 ? 1 : n); ++c)
-      side.nodes.push_back(centre_of({sides[s][c], sides[s][(c + 1) % n]}));
+    const int of_edges = result.order == 1 ? 0 : n == 2 ? 1 : n;  // nodes in the middle of the side or of its edges
+    for (int c = 0; c < of_edges; ++c) side.nodes.push_back(centre_of({sides[s][c], sides[s][(c + 1) % n]}));
     if (has_centre(side.shape)) side.nodes.push_back(centre_of(sides[s]));
     result.sides.push_back(std::move(side));
   }

@@ -63,7 +63,7 @@ TEST_P(SpaceOnTwoRanks, QualityPartsAndBoundaries) {
   EXPECT_NO_THROW(require_boundary(*mesh_, section, "side", "top"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, SpaceOnTwoRanks, testing::Values("hex27", "tet10", "hex8", "tet4"),
+INSTANTIATE_TEST_SUITE_P(Cells, SpaceOnTwoRanks, testing::Values("hex27", "tet10", "hex8", "tet4", "wedge15"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(SweptOnTwoRanks, PartsMakeTheWhole) {

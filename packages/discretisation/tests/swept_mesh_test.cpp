@@ -42,7 +42,8 @@ std::string ring(const std::string& cell, const std::string& more = "") {
 }
 
 const char* const cells[] = {"quad9", "tri6", "quad4", "tri3"};
-const std::string wedges = parameter("triangles become", "string", "wedges");
+std::string become(const std::string& cells) { return parameter("triangles become", "string", cells); }
+const std::string wedges = become("wedges"), tetrahedra = become("tetrahedra");
 
 void expect_sides(const Mesh& mesh, const std::map<std::string, std::array<double, 4>>& expected, double tolerance) {
   for (const auto& [set, values] : expected) {
@@ -56,7 +57,7 @@ void expect_sides(const Mesh& mesh, const std::map<std::string, std::array<doubl
 
 TEST(ExtrudedMesh, PlanDrawnUpwards) {
   for (const char* cell : cells) {
-    const auto mesh = make(extruded(box(cell, 4, 3, parameter("distortion", "double", "0.2"))));
+    const auto mesh = make(extruded(box(cell, 4, 3, parameter("distortion", "double", "0.2")), tetrahedra));
     const bool simplex = cell[0] == 't';
     EXPECT_EQ(mesh->dimension(), 3);
     EXPECT_EQ(num_corners(mesh->blocks()[0].shape), simplex ? 4 : 8);
@@ -122,7 +123,8 @@ TEST(ExtrudedMesh, GradingRegionsAndOneLayer) {
   const std::vector<double> z(heights.begin(), heights.end());
   EXPECT_NEAR((z[4] - z[3]) / (z[1] - z[0]), 8, 1e-12);
   const auto single =
-      make(sweep("extruded", parameter("length", "double", "1") + parameter("layers", "int", "1"), box("tri3", 1, 1)));
+      make(sweep("extruded", parameter("length", "double", "1") + parameter("layers", "int", "1") + tetrahedra,
+                 box("tri3", 1, 1)));
   EXPECT_EQ(single->num_global_elements(), 6);
   EXPECT_NEAR(area(*single), 2, 1e-13);
 }
@@ -133,7 +135,7 @@ TEST(RevolvedMesh, QuarterHalfAndWholeRing) {
     for (const char* cell : cells) {
       const bool linear = cell[0] == 'q' ? cell[4] == '4' : cell[3] == '3';
       const double share = angle / 360, tolerance = linear ? 0.04 * exact : 2e-3;
-      const auto mesh = make(revolved(angle, layers, ring(cell)));
+      const auto mesh = make(revolved(angle, layers, ring(cell), tetrahedra));
       EXPECT_NEAR(area(*mesh), share * exact, tolerance) << cell << " " << angle;
       EXPECT_LT(gradient_error(*mesh), 1e-10) << cell;
       EXPECT_EQ(mesh_parts(*mesh).places.size(), 1u);
@@ -156,11 +158,11 @@ TEST(RevolvedMesh, QuarterHalfAndWholeRing) {
 TEST(RevolvedMesh, TrianglesOfARingBecomeWedges) {
   const double exact = pi * (9 - 1);
   for (const auto& [angle, layers] : {std::pair{90., 4}, {360., 16}}) {
-    const auto tetrahedra = make(revolved(angle, layers, ring("tri6"))),
+    const auto cut = make(revolved(angle, layers, ring("tri6"), tetrahedra)),
                mesh = make(revolved(angle, layers, ring("tri6"), wedges));
     EXPECT_EQ(mesh->blocks()[0].shape, CellShape::wedge15);
-    EXPECT_EQ(mesh->num_global_elements(), tetrahedra->num_global_elements() / 3);
-    EXPECT_LT(mesh->num_global_nodes(), 0.75 * tetrahedra->num_global_nodes());
+    EXPECT_EQ(mesh->num_global_elements(), cut->num_global_elements() / 3);
+    EXPECT_LT(mesh->num_global_nodes(), 0.75 * cut->num_global_nodes());
     EXPECT_NEAR(area(*mesh), angle / 360 * exact, 2e-3);
     EXPECT_LT(gradient_error(*mesh), 1e-10);
     EXPECT_EQ(mesh_parts(*mesh).places.size(), 1u);
@@ -195,9 +197,8 @@ TEST(RevolvedMesh, QuadrilateralsAtTheAxisBecomeWedges) {
 }
 
 TEST(RevolvedMesh, AutomaticTakesWedgesWhereNoTriangleTouchesTheAxisWithOneCornerOnly) {
-  const std::string automatic = parameter("triangles become", "string", "automatic");
-  EXPECT_EQ(make(revolved(90, 4, ring("tri6"), automatic))->blocks()[0].shape, CellShape::wedge15);
-  EXPECT_EQ(make(revolved(90, 4, box("tri6", 2, 2), automatic))->blocks()[0].shape, CellShape::tet10);
+  EXPECT_EQ(make(revolved(90, 4, ring("tri6")))->blocks()[0].shape, CellShape::wedge15);
+  EXPECT_EQ(make(revolved(90, 4, box("tri6", 2, 2), become("automatic")))->blocks()[0].shape, CellShape::tet10);
   // one cell cut along its diagonal: a triangle that stands on the axis, and one that touches it
   EXPECT_CONTAINS(input_error([&] { make(revolved(90, 2, box("tri6", 1, 1), wedges)); }),
                   "mesh/plane: its triangle with a corner at (0, 0) touches the axis with that corner only, where a "
@@ -235,6 +236,38 @@ TEST(RevolvedMesh, OfAGmshModelWithPointsAndCurvedSides) {
   EXPECT_EQ(make(extruded(gmsh("cone.geo")))->nodes_of_set("tip").size(), 9u) << "the line that the point leaves";
 }
 #endif
+
+#ifdef MUDLINE_HAVE_GMSH
+TEST(SweptMesh, TrianglesBesideQuadrilateralsBecomeWedgesThatFit) {
+  const std::string upright = parameter("along", "string", "y");
+  for (const auto& [entries, tolerance] : {std::pair{extruded(gmsh("mixed_plane.geo"), upright), 1e-12},
+                                           {revolved(90, 4, gmsh("mixed_plane.geo")), 2e-2}}) {
+    const auto mesh = make(entries);
+    std::set<CellShape> shapes;
+    for (const ElementBlock& block : mesh->blocks()) shapes.insert(block.shape);
+    EXPECT_EQ(shapes, (std::set<CellShape>{CellShape::hex27, CellShape::wedge18}));
+    const bool straight = tolerance < 1e-3;
+    // Pappus: areas 1 and 1/2 around 1.5 and 7/3
+    EXPECT_NEAR(area(*mesh), straight ? 4.5 : 0.5 * pi * (1.5 + 7.0 / 6), tolerance);
+    EXPECT_NEAR(side_integral(*mesh, "base")[3], straight ? -6 : -0.25 * pi * 8, tolerance);
+    EXPECT_NEAR(side_integral(*mesh, "start")[2], -1.5, 1e-12) << "quadrilaterals and triangles";
+    EXPECT_LT(gradient_error(*mesh), 1e-10);
+    EXPECT_EQ(mesh_parts(*mesh).places.size(), 1u);
+  }
+}
+#endif
+
+TEST(SweptMesh, AQuadrilateralMustNotTouchTheAxisWithOneCornerOnly) {
+  GlobalMesh plane;
+  plane.coordinates = {{0, 0}, {1, -1}, {2, 0}, {1, 1}};
+  plane.blocks = {{"soil", CellShape::quad4, {0, 1, 2, 3}}};
+  Sweep sweep;
+  sweep.fixed = {1, 0, 0, 0};
+  sweep.place = [](const Point& x, double layers) { return Point{x[0], x[0] * layers, x[1]}; };
+  EXPECT_CONTAINS(input_error([&] { swept(plane, sweep); }),
+                  "its quadrilateral with a corner at (0, 0) touches the axis with that corner only, where it would "
+                  "collapse; use triangles there");
+}
 
 TEST(SweptMesh, Errors) {
   const auto message = [](const std::string& entries) { return input_error([&] { make(entries); }); };

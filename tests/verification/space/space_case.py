@@ -175,7 +175,7 @@ def _shapes(shape, xi):
 
 
 def _wedge_shapes(shape, xi):
-    """Of the 15 nodes by their conditions: the polynomials x^i y^j z^k that the cell holds are found again at the nodes."""
+    """By their conditions: the polynomials x^i y^j z^k that the cell holds are found again from their values at the nodes."""
     corners = np.array([(0, 0, -1), (1, 0, -1), (0, 1, -1), (0, 0, 1), (1, 0, 1), (0, 1, 1)], dtype=float)
     around = [[a] for a in range(6)] + [list(e) for e in WEDGE_EDGES] + [list(f) for f in WEDGE_FACES[:3]]
     nodes = np.array([corners[a].mean(axis=0) for a in around])[:int(shape[5:])]

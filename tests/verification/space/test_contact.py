@@ -123,8 +123,8 @@ class Revolved(SpaceCase):
     TRESCA = {"density": 1800.0, "skeleton": {"type": "tresca", "undrained strength": 1e4, "rigidity index": 100.0, "Poisson's ratio": 0.49}}
     ELASTIC = {"density": 1800.0, "skeleton": {"type": "linear elastic", "Young's modulus": 3e6, "Poisson's ratio": 0.3}}
 
-    def deck_text(self, space, ground, cells):
-        section = {"type": "box", "cell": "tri6", "cells": cells, "lower": [0.0, -1.2], "upper": [1.2, 0.0], "grading": [12.0, 0.1]}
+    def deck_text(self, space, ground, cells, cell="tri6"):
+        section = {"type": "box", "cell": cell, "cells": cells, "lower": [0.0, -1.2], "upper": [1.2, 0.0], "grading": [12.0, 0.1]}
         up = "z" if space else "y"
         mesh = {"type": "revolved", "angle": 90.0, "layers": 5, "plane": section} if space else section
         sphere = {"type": "sphere", "diameter": 0.8}
@@ -140,14 +140,19 @@ class Revolved(SpaceCase):
                                          "friction": {"type": "coulomb", "coefficient": 0.3}}})
         return result if space else result.replace('value="three-dimensional"', 'value="axisymmetric"')
 
-    def check(self, name, ground, cells, tolerance):
-        flat = self.run_text("flat", self.deck_text(False, ground, cells))
-        space = self.run_text("space", self.deck_text(True, ground, cells))
+    def check(self, name, ground, cells, tolerance, cell="tri6"):
+        flat = self.run_text("flat", self.deck_text(False, ground, cells, cell))
+        space = self.run_text("space", self.deck_text(True, ground, cells, cell))
         self.assert_near(f"{name}: force", 4 * space["contact/face/reaction z"][-1], flat["contact/face/reaction y"][-1], tolerance)
         return 4 * space["contact/face/friction z"][-1], flat["contact/face/friction y"][-1]
 
     def test_elastic(self):
         space, flat = self.check("elastic", self.ELASTIC, [5, 4], 0.005)
+        self.assert_near("friction upwards", space, flat, 0.015)
+
+    def test_triangles_and_quadrilaterals(self):
+        """Wedges around the axis touch the ball with triangles, the hexahedra outside with quadrilaterals."""
+        space, flat = self.check("wedges and hexahedra", self.ELASTIC, [8, 6], 0.001, "quad9")
         self.assert_near("friction upwards", space, flat, 0.015)
 
     def test_yielding(self):

@@ -1,4 +1,4 @@
-"""A slice of a pile pushed sideways through Tresca clay, a quarter of it in ten-node tetrahedra: rough, and smooth by a pressure that grows
+"""A slice of a pile pushed sideways through Tresca clay, a quarter of it in ten-node tetrahedra, or 15-node wedges: rough, and smooth by a pressure that grows
 with the displacement into the pile. Randolph and Houlsby (1984); for the smooth one also Martin and Randolph (2006)."""
 import os
 import re
@@ -20,14 +20,17 @@ SMOOTH = '''<ParameterList name="pile">
 
 
 class PileSegment(SpaceCase):
-    def assert_collapse(self, what, deck, low, high):
-        history = self.run_deck(deck)
+    def assert_collapse(self, what, deck, low, high, *settings):
+        history = self.run_deck(deck, settings)
         factor = -4 * history["reaction/far side x"] / (2 * THICKNESS * STRENGTH)
         self.assert_near(what, factor[-1], (low + high) / 2, (high - low) / 2, 1.0)
         self.assert_near(what + ", growth at the end", factor[-1] / np.interp(0.9, history.time, factor) - 1, 0.0, 0.01, 1.0)
 
     def test_rough(self):
         self.assert_collapse("rough", self.input("pile_segment"), 11.94, 1.02 * 11.94)
+
+    def test_rough_in_wedges(self):
+        self.assert_collapse("rough, wedges", self.input("pile_segment"), 11.94, 1.02 * 11.94, "mesh/triangles become=wedges")
 
     def test_smooth(self):
         with open(self.input("pile_segment")) as file:

@@ -1,0 +1,21 @@
+// A unit square in rectangles, from x = 1 to 2, and a triangle beside it.
+Point(1) = {1, 0, 0};
+Point(2) = {2, 0, 0};
+Point(3) = {2, 1, 0};
+Point(4) = {1, 1, 0};
+Point(5) = {3, 0, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {2, 5};
+Line(6) = {5, 3};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Curve Loop(2) = {5, 6, -2};
+Plane Surface(2) = {2};
+Transfinite Curve{1, 2, 3, 4, 5, 6} = 3;
+Transfinite Surface{1};
+Recombine Surface{1};
+Physical Surface("soil") = {1, 2};
+Physical Curve("base") = {1, 5};
