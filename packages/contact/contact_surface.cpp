@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
+#include <map>
 
 #include "tensor/vec.hpp"
 
