@@ -162,7 +162,7 @@ void linear_cells(const Setup& setup, const Judge& judge) {
   if (stiffest == 0) return;
   judge(stiffest, "K/G of soil in linear cells",
         "they lock where the volume is kept, and are up to some times too stiff: take quadratic cells (tri6 or "
-        "quad9, tet10 or hex27)");
+        "quad9, tet10, wedge15 or hex27)");
 }
 
 /// Laws of constant volume in plastic flow.

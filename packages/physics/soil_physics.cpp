@@ -63,7 +63,8 @@ void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& secti
     if (order(block.shape) < 2)
       section.fail(std::string("linear ") + mudline::name(block.shape) +
                        " cells give an unstable displacement and pore-pressure pair; use quadratic cells (" +
-                       (mesh.dimension() == 3 ? "tet10 or hex27" : "tri6 or quad9") + ", in Gmsh: order 2)" + otherwise,
+                       (mesh.dimension() == 3 ? "tet10, wedge15 or hex27" : "tri6 or quad9") + ", in Gmsh: order 2)" +
+                       otherwise,
                    "type");
 }
 
