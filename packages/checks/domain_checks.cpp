@@ -179,8 +179,8 @@ void linear_cells_that_yield(const Setup& setup, const Judge& judge) {
         law == "tresca" || law == "von mises" || (frictional && !(dilation.known() && dilation.high > 0));
     if (keeps)
       judge(1, "material '" + entry.name() + "': the number of laws that yield at constant volume in linear cells",
-            "collapse loads come out far too high there: take quadratic cells (tri6 or quad9, tet10 or "
-            "hex27)");
+            "collapse loads come out far too high there: take quadratic cells (tri6 or quad9, tet10, "
+            "wedge15 or hex27)");
   }
 }
 

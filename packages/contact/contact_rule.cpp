@@ -45,7 +45,8 @@ double farthest(const SideCoordinates& x) {
 ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) {
   side = side_;
   nodes = num_nodes(side);
-  multipliers = side == CellShape::tri6 ? num_corners(side) : nodes;
+  const bool positive = side != CellShape::tri6 && side != CellShape::quad8;  // integrals of the corners' own shapes
+  multipliers = positive ? nodes : num_corners(side);
   const QuadratureRule gauss = cell_quadrature(side, degree);
   samples = static_cast<int>(gauss.weights.size());
   const bool nodal = kind == ContactPoints::nodes;

@@ -43,8 +43,9 @@ struct ContactRule {
       for (int i = 0; i < 3; ++i) at[i] += shape(c, a) * x[a][i];
     return at;
   }
-  /// Shapes of multipliers at point c: those of the side. On a triangle of six nodes those of its corners: the
-  /// integrals of its own vanish there, and nothing can be averaged by them.
+  /// Shapes of multipliers at point c: those of the side. On a triangle of six and a quadrilateral of eight nodes the
+  /// linear ones of the corners: the integrals of their own vanish or are negative there, and nothing can be averaged
+  /// by them.
   const double* multiplier_shape(int c) const { return multipliers < nodes ? &corner(c, 0) : &shape(c, 0); }
   /// Unit normal at point c out of the slave.
   Point outward(int c, const SideCoordinates& x) const;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "contact/contact_rule.hpp"
 #include "contact_model.hpp"
 #include "core/pi.hpp"
 #include "core/tests/input_error.hpp"
@@ -38,8 +39,24 @@ std::string coulomb(double coefficient, double adhesion) {
 }
 std::string contact() { return contact_parameters("surface quadrature", eps); }
 
+TEST(ContactRule, IntegralsOfMultiplierShapesArePositive) {
+  for (CellShape side : {CellShape::line2, CellShape::line3, CellShape::tri3, CellShape::tri6, CellShape::quad4,
+                         CellShape::quad8, CellShape::quad9}) {
+    const ContactRule rule(ContactPoints::quadrature, side, 5);
+    double sum = 0;
+    for (int a = 0; a < rule.multipliers; ++a) {
+      double integral = 0;
+      for (int c = 0; c < rule.points; ++c) integral += rule.weight(c, c) * rule.multiplier_shape(c)[a];
+      EXPECT_GT(integral, 0.02 * reference_size(side)) << name(side) << ", node " << a;
+      sum += integral;
+    }
+    EXPECT_NEAR(sum, reference_size(side), 1e-13) << name(side);
+  }
+}
+
 class ContactInSpace : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Contact, ContactInSpace, testing::Values("tet4", "tet10", "hex8", "hex27"));
+INSTANTIATE_TEST_SUITE_P(Contact, ContactInSpace,
+                         testing::Values("tet4", "tet10", "hex8", "hex27", "wedge6", "wedge15"));
 
 TEST_P(ContactInSpace, PlatePressesUniformly) {
   ContactModel model(Geometry::space, block(GetParam(), 0.2), plate("", "0, 0, -0.01"), contact());
