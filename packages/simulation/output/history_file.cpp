@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -139,8 +140,13 @@ std::string HistoryFile::set_aside() {
   return rename_file(path_, other.string());
 }
 
-void HistoryFile::fix_columns(const std::string& header) {
+void HistoryFile::fix_columns(const std::string& header, const std::vector<HistoryValue>& values) {
   if (header == header_) return;
+  std::set<std::string> names;
+  for (const HistoryValue& value : values)
+    if (!names.insert(value.name).second)
+      throw InputError(path_ + ": two columns of the history would be called '" + value.name +
+                       "'; an observer or a state array of a plugin needs another name");
   if (continued_ && !accept_loss_)
     throw InputError(path_ +
                      ": the history has other columns than this run; restart with the outputs of the first run, or "
@@ -174,7 +180,7 @@ std::string HistoryFile::append(const std::string& line) {
 void HistoryFile::write(double time, const std::vector<HistoryValue>& values) {
   std::string header = time_column;
   for (const auto& value : values) header += ',' + cell(value.name + " [" + value.unit + "]");
-  fix_columns(header);
+  fix_columns(header, values);
 
   std::string error;
   if (comm_->getRank() == 0) {

@@ -43,8 +43,8 @@ class HistoryFile {
               std::optional<HistoryRestart> restart = {});
 
   /// Appends a row. Every rank gives the same columns in the same order; the values of rank 0 are written. Throws
-  /// std::logic_error when the columns change within a run, InputError when a restarted run has other columns than the
-  /// file, RunError when the file cannot be written; on every rank alike. Collective.
+  /// std::logic_error when the columns change within a run, InputError when two columns have one name or a restarted
+  /// run has other columns than the file, RunError when the file cannot be written; on every rank alike. Collective.
   void write(double time, const std::vector<HistoryValue>& values);
 
   /// Why the file is not what was written to it, or "": somebody has removed, replaced or cut it. For rank 0; not
@@ -58,7 +58,7 @@ class HistoryFile {
  private:
   std::string truncate(const HistoryRestart& restart);
   std::string keep_rows_until(double time, const std::string& text, std::string& kept) const;
-  void fix_columns(const std::string& header);
+  void fix_columns(const std::string& header, const std::vector<HistoryValue>& values);
   std::string set_aside();
   std::string open();
   std::string append(const std::string& line);

@@ -25,6 +25,18 @@ TEST(HistoryFile, WritesHeaderWithUnitsAndRowsAtOnce) {
   EXPECT_EQ(content(folder / "h.csv").substr(67), "0.30000000000000004,-2.5,1e-17\n");
 }
 
+TEST(HistoryFile, TwoColumnsOfOneNameAreRefused) {
+  Folder folder;
+  HistoryFile history(world(), folder / "h.csv");
+  EXPECT_EQ(message_of<InputError>([&] {
+              history.write(0.0, {{"alarm/steps", "-", 1}, {"alarm/steps", "s", 2}});
+            }),
+            (folder / "h.csv") +
+                ": two columns of the history would be called 'alarm/steps'; an observer or a state "
+                "array of a plugin needs another name");
+  EXPECT_FALSE(std::filesystem::exists(folder / "h.csv"));
+}
+
 TEST(HistoryFile, QuotesNamesThatWouldBreakTheLine) {
   Folder folder;
   HistoryFile history(world(), folder / "h.csv");
