@@ -15,7 +15,8 @@ using At = SurfacePoints::At;
 const std::vector<StateVariable> variables{{"linear", 1, "m"},
                                            {"total", 1, "J", Transfer::total},
                                            {"flag", 1, "-", Transfer::nearest},
-                                           {"low", 1, "-", Transfer::value, 0.0}};
+                                           {"low", 1, "-", Transfer::value, 0.0},
+                                           {"constant", 1, "-"}};
 
 struct Top {
   std::unique_ptr<Mesh> mesh;
@@ -33,21 +34,23 @@ double field(const Point& p) { return 7 - 2 * p[0] + 3 * p[1] + p[2]; }
 TEST(SurfacePoints, LinearHistoryOfMovedSidesStaysWhereItIs) {
   for (const std::string& entries :
        {mesh_test::box("quad9", 3, 2), mesh_test::box("tri6", 3, 2), mesh_test::box("quad4", 3, 2),
-        mesh_test::box3("hex27", 2, 2, 1), mesh_test::box3("tet10", 2, 2, 1)})
-    for (const At at : {At::gauss, At::nodes, At::corners}) {
+        mesh_test::box3("hex27", 2, 2, 1), mesh_test::box3("tet10", 2, 2, 1), mesh_test::box3("hex8", 2, 2, 1),
+        mesh_test::box3("tet4", 2, 2, 1), mesh_test::box3("wedge15", 2, 1, 2)})
+    for (const auto& [at, degree] : {std::pair{At::gauss, 2}, {At::gauss, 5}, {At::nodes, 3}, {At::corners, 3}}) {
       Top top(entries);
       const int last = top.mesh->dimension() - 1;
       for (int node = 0; node < top.mesh->num_nodes(); ++node) {
-        top.x(node, 0) += 0.05 * top.x_old(node, 0) + 0.01;
+        top.x(node, 0) += 0.05 * top.x_old(node, 0) * (1 - 0.4 * top.x_old(node, 0)) + 0.01;
         if (last == 2) top.x(node, 1) -= 0.03 * top.x_old(node, 0);
       }
-      const SurfacePoints points(*top.mesh, "top", at, 3);
+      const SurfacePoints points(*top.mesh, "top", at, degree);
       const std::vector<Point> before = points.places(top.x_old), after = points.places(top.x);
-      PointView rows("rows", points.count(), 4);
+      PointView rows("rows", points.count(), 5);
       for (int row = 0; row < points.count(); ++row) {
         rows(row, 0) = field(before[row]);
         rows(row, 1) = rows(row, 2) = row;
         rows(row, 3) = before[row][0] - 0.2;
+        rows(row, 4) = 5;
       }
       points.follow(variables, top.x_old, top.x, rows);
       for (int row = 0; row < points.count(); ++row) {
@@ -55,6 +58,7 @@ TEST(SurfacePoints, LinearHistoryOfMovedSidesStaysWhereItIs) {
         EXPECT_EQ(rows(row, 1), row);
         EXPECT_EQ(rows(row, 2), std::round(rows(row, 2)));
         EXPECT_NEAR(rows(row, 3), std::max(0.0, after[row][0] - 0.2), 1e-12);
+        EXPECT_NEAR(rows(row, 4), 5, 1e-14);
       }
     }
 }
@@ -64,7 +68,7 @@ TEST(SurfacePoints, ANearestRowIsLookedForOnItsSide) {
   for (int node = 0; node < top.mesh->num_nodes(); ++node) top.x(node, 0) += 1.5;
   const SurfacePoints points(*top.mesh, "top", At::corners, 2);
   const std::vector<Point> at = points.places(top.x_old);
-  PointView rows("rows", 2, 4);
+  PointView rows("rows", 2, 5);
   for (int row = 0; row < 2; ++row) rows(row, 2) = at[row][0] > 1 ? 5 : 3;
   points.follow(variables, top.x_old, top.x, rows);
   for (int row = 0; row < 2; ++row) EXPECT_EQ(rows(row, 2), 5);
@@ -82,12 +86,36 @@ TEST(SurfacePoints, AreasAddUpToTheSurface) {
   }
 }
 
+TEST(SurfacePoints, WhatMovesAcrossTheSideChangesNothing) {
+  Top top(mesh_test::box("quad4", 1, 1));
+  for (int node = 0; node < top.mesh->num_nodes(); ++node) top.x(node, 1) += 0.2;
+  const SurfacePoints points(*top.mesh, "top", At::nodes, 2);
+  PointView rows("rows", 2, 5);
+  for (int row = 0; row < 2; ++row) rows(row, 0) = 1 + 3 * row;
+  points.follow(variables, top.x_old, top.x, rows);
+  for (int row = 0; row < 2; ++row) EXPECT_EQ(rows(row, 0), 1 + 3 * row);
+}
+
+TEST(SurfacePoints, OneGaussPointOfAFaceHasNoSlope) {
+  Top top(mesh_test::box3("tet4", 1, 1, 1));
+  for (int node = 0; node < top.mesh->num_nodes(); ++node) {
+    top.x(node, 0) += 0.1;
+    top.x(node, 1) -= 0.1;
+  }
+  const SurfacePoints points(*top.mesh, "top", At::gauss, 1);
+  ASSERT_EQ(points.count(), 2);
+  PointView rows("rows", 2, 5);
+  for (int row = 0; row < 2; ++row) rows(row, 0) = 3 * row;
+  points.follow(variables, top.x_old, top.x, rows);
+  for (int row = 0; row < 2; ++row) EXPECT_EQ(rows(row, 0), 3 * row);
+}
+
 TEST(SurfacePoints, OneRowOfASideHasNoSlope) {
   Top top(mesh_test::box("quad9", 3, 2));
   for (int node = 0; node < top.mesh->num_nodes(); ++node) top.x(node, 0) += 0.02;
   const SurfacePoints points(*top.mesh, "top", At::centre, 2);
   ASSERT_EQ(points.count(), 3);
-  PointView rows("rows", 3, 4);
+  PointView rows("rows", 3, 5);
   for (int row = 0; row < 3; ++row) rows(row, 0) = 10 * row;
   points.follow(variables, top.x_old, top.x, rows);
   for (int row = 0; row < 3; ++row) EXPECT_EQ(rows(row, 0), 10 * row);

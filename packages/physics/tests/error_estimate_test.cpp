@@ -97,10 +97,11 @@ TEST(ErrorEstimate, LinearFieldsHaveNone) {
     one.set_velocity([](const Point& x, int i) { return 2 * x[i] - x[0] + 3 * x[1]; });  // uniform strain rate
     const NodalView p = one.pressure([](const Point& x) { return 1e5 + 3e4 * x[0] - 2e4 * x[1] + 1e4 * x[2]; });
     const ErrorEstimate found = one.estimator.estimate(one.state(), p, 0.05);
-    EXPECT_LT(largest(found.stress), 1e-6);  // relative to 1e5 Pa
-    EXPECT_LT(largest(found.pressure), 1e-5);
+    EXPECT_LT(largest(found.stress), 1e-6);                             // relative to 1e5 Pa
+    const double rounding = std::string(c.cell) == "wedge18" ? 10 : 1;  // 6.6e-6 Pa there, of 1e5 Pa
+    EXPECT_LT(largest(found.pressure), 1e-6 * rounding);
     EXPECT_LT(found.stress_share, 1e-10);
-    EXPECT_LT(found.flow_share, 1e-9);
+    EXPECT_LT(found.flow_share, 1e-10 * rounding);
     EXPECT_LT(found.power, 1e-6);
   }
 }
