@@ -19,14 +19,14 @@ Point outward_normal(const ContactRule& rule, int c, const SideCoordinates& x) {
 }
 
 template <int D>
-bool areas_and_slopes(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area,
+bool areas_and_slopes(const SideRule& rule, const SideCoordinates& x, Geometry geometry, double* area,
                       AreaSlopes& slope) {
   constexpr int places = D * (D == 2 ? max_line_nodes : max_side_nodes);
   Vec<Dual<places>, D> node[max_side_nodes];
   for (int a = 0; a < rule.nodes; ++a)
     for (int i = 0; i < D; ++i) node[a][i] = Dual<places>(x[a][i], D * a + i);
   Dual<places> numbers[max_contact_points];
-  if (!contact_areas<D>(rule, node, geometry, numbers)) return false;
+  if (!point_areas<D>(rule, node, geometry, numbers)) return false;
   for (int c = 0; c < rule.points; ++c) {
     area[c] = numbers[c].v;
     std::copy_n(numbers[c].d, D * rule.nodes, slope[c]);
@@ -42,42 +42,19 @@ double farthest(const SideCoordinates& x) {
   return result;
 }
 
-ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) {
-  side = side_;
-  nodes = num_nodes(side);
+ContactRule::ContactRule(At at, CellShape side_, int degree) : SideRule(side_, at, degree) {
   const bool positive = side != CellShape::tri6 && side != CellShape::quad8;  // integrals of the corners' own shapes
   multipliers = positive ? nodes : num_corners(side);
-  const QuadratureRule gauss = cell_quadrature(side, degree);
-  samples = static_cast<int>(gauss.weights.size());
-  const bool nodal = kind == ContactPoints::nodes;
-  points = nodal ? nodes : samples;
-  for (Table* of_samples : {&N, &dN}) *of_samples = Table("contact rule", samples, 2 * max_side_nodes);
-  for (Table* of_points : {&shape, &corner, &shape_slope, &corner_slope})
+  for (Table* of_points : {&corner, &shape_slope, &corner_slope})
     *of_points = Table("contact rule", points, 2 * max_side_nodes);
-  weight = Table("contact weights", points, samples);
-  for (int q = 0; q < samples; ++q) evaluate_shape(side, gauss.points[q].data(), &N(q, 0), &dN(q, 0));
   for (int c = 0; c < points; ++c) {
-    xi.push_back(nodal ? reference_node(side, c) : gauss.points[c]);
-    if (nodal) {
-      shape(c, c) = 1;
-      for (int q = 0; q < samples; ++q) weight(c, q) = gauss.weights[q] * N(q, c);
-    } else {
-      for (int a = 0; a < nodes; ++a) shape(c, a) = N(c, a);
-      weight(c, c) = gauss.weights[c];
-    }
     double values[max_side_nodes];
     evaluate_shape(side, xi[c].data(), values, &shape_slope(c, 0));
     evaluate_shape(linear_partner(side), xi[c].data(), &corner(c, 0), &corner_slope(c, 0));
   }
 }
 
-bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area) {
-  return dimension(rule.side) == 1 ? contact_areas<2>(rule, x, geometry, area)
-                                   : contact_areas<3>(rule, x, geometry, area);
-}
-
-bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area,
-                   AreaSlopes& slope) {
+bool point_areas(const SideRule& rule, const SideCoordinates& x, Geometry geometry, double* area, AreaSlopes& slope) {
   return dimension(rule.side) == 1 ? areas_and_slopes<2>(rule, x, geometry, area, slope)
                                    : areas_and_slopes<3>(rule, x, geometry, area, slope);
 }

@@ -99,18 +99,6 @@ struct SurfaceSeen {
   Vec<T, D> normal, along;
 };
 
-template <int D>
-ContactPoint act_on(const DeformableTarget& target, const PointInStep& point, const TargetPlace& place,
-                    SideAction& to) {
-  if (to.tangent) {
-    using T = Dual<ClosestPoint::motions + 2>;
-    SurfaceSeen<T, D> seen(target, point, place);
-    return PointAction<T, D, SurfaceSeen<T, D>>(point, seen, to).evaluate();
-  }
-  SurfaceSeen<double, D> seen(target, point, place);
-  return PointAction<double, D, SurfaceSeen<double, D>>(point, seen, to).evaluate();
-}
-
 }  // namespace
 
 int* DeformableTarget::write_dofs(int piece, int* to) const {
@@ -132,7 +120,7 @@ void DeformableTarget::write(const TargetPlace& place, const ContactPoint& point
 }
 
 ContactPoint DeformableTarget::act(const PointInStep& point, const TargetPlace& place, SideAction& to) const {
-  return axes_ == 2 ? act_on<2>(*this, point, place, to) : act_on<3>(*this, point, place, to);
+  return axes_ == 2 ? act_on<SurfaceSeen, 2>(*this, point, place, to) : act_on<SurfaceSeen, 3>(*this, point, place, to);
 }
 
 void DeformableTarget::old_forces(const double* columns, const Point& force, double* on_target) const {

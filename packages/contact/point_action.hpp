@@ -247,4 +247,16 @@ class PointAction {
   double column_[tangent ? SideAction::most : 1];
 };
 
+/// Evaluates a point against what it sees of a target, Seen(of_target, point, place), with derivatives where a tangent
+/// is asked for.
+template <template <class, int> class Seen, int D, class OfTarget, class Place>
+ContactPoint act_on(const OfTarget& of_target, const PointInStep& point, const Place& place, SideAction& to) {
+  const auto evaluated = [&](auto number) {
+    using T = decltype(number);
+    Seen<T, D> seen(of_target, point, place);
+    return PointAction<T, D, Seen<T, D>>(point, seen, to).evaluate();
+  };
+  return to.tangent ? evaluated(Dual<Seen<double, D>::motions + 2>()) : evaluated(0.0);
+}
+
 }  // namespace mudline

@@ -27,16 +27,14 @@ void PointContact::check_parts(const Section& section, bool conserving, bool dam
   if (damping) section.fail("a film damps by itself; it takes no 'damping'", "damping");
 }
 
-void PointContact::make_points(const std::string& surface, ContactPoints kind, int quadrature_degree) {
+void PointContact::make_points(const std::string& surface, SideRule::At kind, int quadrature_degree) {
   set_ = surface;
   if (parts_.drainage.has_film()) laws_.ask_for_pore_pressure();
   surface_ = std::make_unique<ContactSurface>(context_.space.mesh(), surface);
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
-  places_ = std::make_shared<SurfacePoints>(
-      surface_->mesh(), surface, kind == ContactPoints::nodes ? SurfacePoints::At::nodes : SurfacePoints::At::gauss,
-      quadrature_degree);
+  places_ = std::make_shared<SurfacePoints>(surface_->mesh(), surface, kind, quadrature_degree);
   rules_.clear();
   for (CellShape shape : surface_->shapes()) rules_.emplace(shape, ContactRule(kind, shape, quadrature_degree));
   first_row_.assign(1, 0);
@@ -80,9 +78,9 @@ bool PointContact::measure(std::size_t side, const SideCoordinates& x_old, const
                            PointAreas& areas) const {
   const ContactRule& points = rule(sides()[side]);
   const Geometry geometry = context_.space.mesh().geometry();
-  if (parts_.drainage.has_film() && !contact_areas(points, x_old, geometry, areas.old)) return false;
-  if (!slopes) return contact_areas(points, x, geometry, areas.now);
-  return contact_areas(points, x, geometry, areas.now, areas.slope);
+  if (parts_.drainage.has_film() && !point_areas(points, x_old, geometry, areas.old)) return false;
+  if (!slopes) return point_areas(points, x, geometry, areas.now);
+  return point_areas(points, x, geometry, areas.now, areas.slope);
 }
 
 ContactPointLaw PointContact::law(const StepView& view, std::size_t side) const {
@@ -304,8 +302,8 @@ double PointContact::pore_pressure(std::size_t side, int point, const ConstNodal
 }
 
 bool PointContact::lengths(std::size_t side, const State& state, double* of_points) const {
-  return contact_areas(rule(sides()[side]), side_coordinates(sides()[side], state.coordinates), Geometry::plane_strain,
-                       of_points);
+  return point_areas(rule(sides()[side]), side_coordinates(sides()[side], state.coordinates), Geometry::plane_strain,
+                     of_points);
 }
 
 Point PointContact::initial_shear_multiplier(const State& committed, int row) const {
@@ -448,7 +446,7 @@ void PointContact::touch_first(std::size_t side, const State& committed, FirstTo
   const SideCoordinates x = side_coordinates(at, committed.coordinates);
   const double edge = edges(at, committed.coordinates).second, reach = parts_.initial_gap.reach(edge);
   double area[max_contact_points];
-  if (!contact_areas(points, x, context_.space.mesh().geometry(), area)) return;
+  if (!point_areas(points, x, context_.space.mesh().geometry(), area)) return;
   found.reach = std::max(found.reach, reach);
   const double distance = std::max(edge, reach);
   const std::vector<int> candidates = target_->near(box(side, committed.coordinates), distance);

@@ -92,7 +92,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   /// InputError for parts that have no meaning. `conserving`, `damping`: the deck asks for them.
   void check_parts(const Section& section, bool conserving, bool damping) const;
   /// Makes surface, rules and rows.
-  void make_points(const std::string& surface, ContactPoints kind, int quadrature_degree);
+  void make_points(const std::string& surface, SideRule::At kind, int quadrature_degree);
   /// Declares all arrays.
   void declare_points(StateStore& store);
   /// Starts penalties, multipliers, film and leaking for a step.

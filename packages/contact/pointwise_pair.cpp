@@ -32,14 +32,14 @@ void PointwisePairContact::check_entries(const Section& section, int dimension) 
   laws_.check_linear(section, deck_.augmented(), conserving);
 }
 
-void PointwisePairContact::bind(const Section& section, std::unique_ptr<DeformableTarget> target, ContactPoints kind,
+void PointwisePairContact::bind(const Section& section, std::unique_ptr<DeformableTarget> target, SideRule::At kind,
                                 int quadrature_degree, double reach) {
   const ConstCoordinateView x = context_.space.mesh().coordinates();
   target->bind(context_.space, displacement_);
   master_ = target.get();
   target_ = std::move(target);
   damping_ = deck_.damping;
-  at_nodes_ = kind == ContactPoints::nodes;
+  at_nodes_ = kind == SideRule::At::nodes;
   make_points(deck_.slave, kind, quadrature_degree);
   points_.resize(rows());
   measure_points(x);
@@ -71,8 +71,8 @@ void PointwisePairContact::measure_points(const ConstCoordinateView& x) {
     const ContactRule& points = rule(side);
     const SideCoordinates at = side_coordinates(side, x);
     double areas[max_contact_points], lengths[max_contact_points];
-    contact_areas(points, at, context_.space.mesh().geometry(), areas);
-    if (at_nodes_) contact_areas(points, at, Geometry::plane_strain, lengths);
+    point_areas(points, at, context_.space.mesh().geometry(), areas);
+    if (at_nodes_) point_areas(points, at, Geometry::plane_strain, lengths);
     for (int c = 0; c < points.points; ++c, ++row) {
       SlavePoint& here = points_[row];
       here.area = areas[c];

@@ -51,7 +51,7 @@ class PointwisePairContact : public PointContact {
   void check_entries(const Section& section, int dimension);
   /// Last part of every check(): makes the slave's points, and compares them with the target. `reach` [m]: see the
   /// deck.
-  void bind(const Section& section, std::unique_ptr<DeformableTarget> target, ContactPoints kind, int quadrature_degree,
+  void bind(const Section& section, std::unique_ptr<DeformableTarget> target, SideRule::At kind, int quadrature_degree,
             double reach);
 
   bool conserves(const StepView& view) const override;

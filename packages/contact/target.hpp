@@ -5,6 +5,7 @@
 
 #include "contact/box_search.hpp"
 #include "contact/point_action.hpp"
+#include "framework/term.hpp"
 #include "geometry/contour.hpp"
 #include "geometry/surface.hpp"
 

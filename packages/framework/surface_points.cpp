@@ -4,41 +4,21 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "discretisation/side_map.hpp"
-#include "framework/coordinates.hpp"
-#include "tensor/vec.hpp"
-
 namespace mudline {
 
 namespace {
 
-constexpr int most_nodes_of_side = 9;
 constexpr long long most_sides_of_element = 6;
-
-/// Areas of the points of one side [m2].
-template <int D, class Rule>
-void add_areas(const Rule& rule, const std::vector<int>& nodes, Geometry geometry, const ConstCoordinateView& x,
-               std::vector<double>& areas) {
-  const std::size_t first = areas.size();
-  areas.resize(first + rule.shape.size(), 0.0);
-  for (std::size_t q = 0; q < rule.N.size(); ++q) {
-    SideMap<D> map;
-    map.compute(static_cast<int>(nodes.size()), rule.N[q].data(), rule.dN[q].data(),
-                [&](int a, int i) { return x(nodes[a], i); });
-    for (std::size_t c = 0; c < rule.shape.size(); ++c)
-      areas[first + c] += rule.weight[c][q] * (map.stretch * measure(geometry, map.x));
-  }
-}
 
 /// Directions along a side: that of its first edge, and in space the one perpendicular to it; in the plane the second
 /// is 0.
-std::array<Point, 2> directions(CellShape side, const std::vector<int>& nodes, const ConstCoordinateView& x) {
-  const Point start = place_of(x, nodes[0]), chord = place_of(x, nodes[1]) - start;
+std::array<Point, 2> directions(CellShape side, const SideCoordinates& nodes) {
+  const Point chord = nodes[1] - nodes[0];
   const double length_of_chord = std::hypot(std::hypot(chord[0], chord[1]), chord[2]);
   std::array<Point, 2> along{};
   for (int i = 0; i < 3; ++i) along[0][i] = chord[i] / length_of_chord;
   if (dimension(side) == 1) return along;
-  const Point other = place_of(x, nodes[num_corners(side) - 1]) - start;
+  const Point other = nodes[num_corners(side) - 1] - nodes[0];
   const Point across = other - dot(other, along[0]) * along[0];
   along[1] = 1 / length(across) * across;
   return along;
@@ -110,36 +90,8 @@ class SideShifts {
 
 }  // namespace
 
-SurfacePoints::Rule SurfacePoints::rule_of(CellShape side, At at, int degree) {
-  Rule rule;
-  const QuadratureRule gauss = cell_quadrature(side, degree);
-  const int nodes = num_nodes(side), corners = num_corners(side), samples = static_cast<int>(gauss.weights.size());
-  const auto at_sample = [&](CellShape shape, int q, double* slopes) {
-    std::vector<double> N(most_nodes_of_side);
-    evaluate_shape(shape, gauss.points[q].data(), N.data(), slopes);
-    return N;
-  };
-  double unused[2 * most_nodes_of_side];
-  for (int q = 0; q < samples; ++q) {
-    rule.dN.emplace_back(2 * most_nodes_of_side);
-    rule.N.push_back(at_sample(side, q, rule.dN.back().data()));
-  }
-  const int points = at == At::gauss ? samples : at == At::nodes ? nodes : at == At::corners ? corners : 1;
-  for (int c = 0; c < points; ++c) {
-    std::vector<double> shape(nodes, 0.0), weight(samples, 0.0);
-    for (int q = 0; q < samples; ++q) {
-      if (at == At::gauss) weight[q] = q == c ? gauss.weights[q] : 0.0;
-      if (at == At::nodes) weight[q] = gauss.weights[q] * rule.N[q][c];
-      if (at == At::corners) weight[q] = gauss.weights[q] * at_sample(linear_partner(side), q, unused)[c];
-      if (at == At::centre) weight[q] = gauss.weights[q];
-    }
-    if (at == At::gauss) std::copy_n(rule.N[c].begin(), nodes, shape.begin());
-    if (at == At::nodes || at == At::corners) shape[c] = 1;
-    if (at == At::centre) std::fill_n(shape.begin(), corners, 1.0 / corners);
-    rule.shape.push_back(std::move(shape));
-    rule.weight.push_back(std::move(weight));
-  }
-  return rule;
+SideCoordinates SurfacePoints::coordinates_of(const Side& side, const ConstCoordinateView& x) {
+  return side_coordinates(side.nodes.data(), static_cast<int>(side.nodes.size()), x);
 }
 
 SurfacePoints::SurfacePoints(const Mesh& mesh, const std::string& side_set, At at, int degree)
@@ -149,24 +101,17 @@ SurfacePoints::SurfacePoints(const Mesh& mesh, const std::string& side_set, At a
     const ElementBlock& block = mesh.blocks()[side.block];
     Side here{side_shape(block.shape, side.side), {}, count()};
     for (int local : side_nodes(block.shape, side.side)) here.nodes.push_back(block.nodes(side.element, local));
-    if (rules_.count(here.shape) == 0) rules_.emplace(here.shape, rule_of(here.shape, at, degree));
+    if (rules_.count(here.shape) == 0) rules_.emplace(here.shape, SideRule(here.shape, at, degree));
     const long long id = block.global_ids[side.element] * most_sides_of_element + side.side;
-    const int points = static_cast<int>(rules_.at(here.shape).shape.size());
-    for (int c = 0; c < points; ++c) {
-      rows_.push_back(static_cast<int>(sides_.size()));
-      ids_.push_back(id * most_points_of_side + c);
-    }
+    for (int c = 0; c < rules_.at(here.shape).points; ++c) ids_.push_back(id * most_points_of_side + c);
     sides_.push_back(std::move(here));
   }
 }
 
-std::vector<Point> SurfacePoints::places(const Side& side, const Rule& rule, const ConstCoordinateView& x) {
+std::vector<Point> SurfacePoints::places(const Side& side, const SideRule& rule, const ConstCoordinateView& x) {
+  const SideCoordinates nodes = coordinates_of(side, x);
   std::vector<Point> result;
-  for (const std::vector<double>& shape : rule.shape) {
-    Point at{};
-    for (std::size_t a = 0; a < side.nodes.size(); ++a) at += shape[a] * place_of(x, side.nodes[a]);
-    result.push_back(at);
-  }
+  for (int c = 0; c < rule.points; ++c) result.push_back(rule.place(c, nodes));
   return result;
 }
 
@@ -182,9 +127,10 @@ std::vector<Point> SurfacePoints::places(const ConstCoordinateView& x) const {
 std::vector<double> SurfacePoints::areas(const ConstCoordinateView& x) const {
   std::vector<double> result;
   for (const Side& side : sides_) {
-    const Rule& rule = rules_.at(side.shape);
-    mesh_.dimension() == 2 ? add_areas<2>(rule, side.nodes, mesh_.geometry(), x, result)
-                           : add_areas<3>(rule, side.nodes, mesh_.geometry(), x, result);
+    const SideRule& rule = rules_.at(side.shape);
+    std::vector<double> here(rule.points);
+    point_areas(rule, coordinates_of(side, x), mesh_.geometry(), here.data());
+    result.insert(result.end(), here.begin(), here.end());
   }
   return result;
 }
@@ -192,9 +138,9 @@ std::vector<double> SurfacePoints::areas(const ConstCoordinateView& x) const {
 void SurfacePoints::follow(const std::vector<StateVariable>& variables, const ConstCoordinateView& x_old,
                            const ConstCoordinateView& x, const PointView& rows) const {
   for (const Side& side : sides_) {
-    const Rule& rule = rules_.at(side.shape);
+    const SideRule& rule = rules_.at(side.shape);
     const std::vector<Point> from = places(side, rule, x_old), to = places(side, rule, x);
-    const SideShifts shifts(from, to, directions(side.shape, side.nodes, x_old));
+    const SideShifts shifts(from, to, directions(side.shape, coordinates_of(side, x_old)));
     int column = 0;
     for (const StateVariable& variable : variables)
       for (int k = 0; k < variable.components; ++k, ++column) {
@@ -211,14 +157,14 @@ void SurfacePoints::follow(const std::vector<StateVariable>& variables, const Co
 void SurfacePoints::add_at_nodes(const PointView& rows, int column, std::vector<double>& sums,
                                  std::vector<double>& counts) const {
   for (const Side& side : sides_) {
-    const Rule& rule = rules_.at(side.shape);
+    const SideRule& rule = rules_.at(side.shape);
     for (std::size_t a = 0; a < side.nodes.size(); ++a) {
       // the row whose place has the largest part of this node's, and all that are as near
       double most = 0, sum = 0;
-      for (const std::vector<double>& shape : rule.shape) most = std::max(most, shape[a]);
+      for (int c = 0; c < rule.points; ++c) most = std::max(most, rule.shape(c, a));
       int near = 0;
-      for (std::size_t c = 0; c < rule.shape.size(); ++c)
-        if (rule.shape[c][a] >= most - 1e-9) {
+      for (int c = 0; c < rule.points; ++c)
+        if (rule.shape(c, a) >= most - 1e-9) {
           sum += rows(side.first + c, column);
           ++near;
         }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "discretisation/shapes.hpp"
+#include "framework/side_rule.hpp"
 #include "framework/state.hpp"
 
 namespace mudline {
@@ -12,13 +12,13 @@ namespace mudline {
 /// Points on the sides of a side set, one side after the other: the rows of an array of the state.
 class SurfacePoints {
  public:
-  enum class At { gauss, nodes, corners, centre };  // of each side
+  using At = SideRule::At;
   static constexpr long long most_points_of_side = 64;
-  /// `degree`: of the quadrature on a side, whose points are those of `gauss` and whose weights give all their areas.
+  /// `at`, `degree`: of the rule of each side.
   SurfacePoints(const Mesh& mesh, const std::string& side_set, At at, int degree);
 
   const std::string& side_set() const { return set_; }
-  int count() const { return static_cast<int>(rows_.size()); }
+  int count() const { return static_cast<int>(ids_.size()); }
   /// Ids by row, independent of the number of ranks: that of the side times `most_points_of_side`, and the point.
   const std::vector<long long>& ids() const { return ids_; }
   /// Places [m] by row, for nodes at x.
@@ -35,25 +35,18 @@ class SurfacePoints {
   void add_at_nodes(const PointView& rows, int column, std::vector<double>& sums, std::vector<double>& counts) const;
 
  private:
-  /// Points of a side's shape.
-  struct Rule {
-    std::vector<std::vector<double>> shape;   // (point, node): a point lies at their weighted mean
-    std::vector<std::vector<double>> weight;  // (point, sample)
-    std::vector<std::vector<double>> N, dN;   // (sample, node), (sample, node and reference coordinate)
-  };
   struct Side {
     CellShape shape;
     std::vector<int> nodes;  // local
     int first;               // row
   };
-  static Rule rule_of(CellShape side, At at, int degree);
-  static std::vector<Point> places(const Side& side, const Rule& rule, const ConstCoordinateView& x);
+  static SideCoordinates coordinates_of(const Side& side, const ConstCoordinateView& x);
+  static std::vector<Point> places(const Side& side, const SideRule& rule, const ConstCoordinateView& x);
 
   const Mesh& mesh_;
   std::string set_;
-  std::map<CellShape, Rule> rules_;
+  std::map<CellShape, SideRule> rules_;
   std::vector<Side> sides_;
-  std::vector<int> rows_;  // (row) side
   std::vector<long long> ids_;
 };
 

@@ -16,7 +16,7 @@ namespace mudline {
 void PenaltyParameters::parameters(Parameters& p) {
   p.required("body", body, "Entry of 'bodies' that touches the soil");
   p.required("surface", surface, "Side set of the soil that the body may touch");
-  p.choice("method", method, {{"surface quadrature", ContactPoints::quadrature}, {"nodes", ContactPoints::nodes}},
+  p.choice("method", method, {{"surface quadrature", SideRule::At::gauss}, {"nodes", SideRule::At::nodes}},
            "Where contact is checked: at Gauss points of the sides, or at the nodes with their tributary areas");
   p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
         "Polynomial degree that the integration over a side is exact for");
@@ -94,7 +94,7 @@ void PenaltyContact::check_enforcement(const Section& section) const {
 void PenaltyContact::check_quadrature(const Section& section) const {
   const Mesh& mesh = context_.space.mesh();
   if (mesh.dimension() == 2) return;
-  if (deck_.method == ContactPoints::nodes)
+  if (deck_.method == SideRule::At::nodes)
     section.fail("nodes has no tributary areas on quadratic triangles; allowed in space: surface quadrature", "method");
   constexpr int most = 8;  // largest degree of the rules for triangles
   for (const ElementBlock& block : mesh.blocks())

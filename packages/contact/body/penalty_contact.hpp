@@ -16,7 +16,7 @@ struct PenaltyParameters : EnforcementParameters, PartParameters {
   void parameters(Parameters& p);
 
   std::string body, surface;
-  ContactPoints method = ContactPoints::quadrature;
+  SideRule::At method = SideRule::At::gauss;
   int quadrature_degree = 5;
   double capture_distance = 0;  // [m]
   double advance_limit = 0.25;  // [-] of the shortest side

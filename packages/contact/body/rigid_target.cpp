@@ -157,17 +157,6 @@ struct BodySeen<T, 3> {
   Vector turn, displacement;
 };
 
-template <int D, class Projection>
-ContactPoint act_on(const BodyInStep& step, const PointInStep& point, const Projection& now, SideAction& to) {
-  if (to.tangent) {
-    using T = Dual<BodySeen<double, D>::motions + 2>;
-    BodySeen<T, D> seen(step, point, now);
-    return PointAction<T, D, BodySeen<T, D>>(point, seen, to).evaluate();
-  }
-  BodySeen<double, D> seen(step, point, now);
-  return PointAction<double, D, BodySeen<double, D>>(point, seen, to).evaluate();
-}
-
 }  // namespace
 
 int* RigidTarget::write_dofs(int, int* to) const {
@@ -240,8 +229,8 @@ void RigidTarget::complete(const TargetPlace& place, const Point& at, const Cons
 
 ContactPoint RigidTarget::act(const PointInStep& point, const TargetPlace& place, SideAction& to) const {
   ContactPoint result = body_->dimension() == 2
-                            ? act_on<2>(step_, point, std::get<ContourProjection>(place.projection), to)
-                            : act_on<3>(step_, point, std::get<SurfaceProjection>(place.projection), to);
+                            ? act_on<BodySeen, 2>(step_, point, std::get<ContourProjection>(place.projection), to)
+                            : act_on<BodySeen, 3>(step_, point, std::get<SurfaceProjection>(place.projection), to);
   complete(place, point.place, point.x, result);
   return result;
 }

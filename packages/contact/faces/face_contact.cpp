@@ -17,9 +17,8 @@ void FaceContact::check(const Section& section) {
   const Mesh& mesh = context_.space.mesh();
   check_entries(section, 3);
   const ContactSurface slave(mesh, deck_.slave);
-  bind(section, std::make_unique<MasterFaces>(mesh, deck_.master, deck_.corner_angle * pi / 180),
-       ContactPoints::quadrature, deck_.quadrature_degree,
-       deck_.reach > 0 ? deck_.reach : 3 * slave.longest(mesh.coordinates()));
+  bind(section, std::make_unique<MasterFaces>(mesh, deck_.master, deck_.corner_angle * pi / 180), SideRule::At::gauss,
+       deck_.quadrature_degree, deck_.reach > 0 ? deck_.reach : 3 * slave.longest(mesh.coordinates()));
 }
 
 }  // namespace mudline

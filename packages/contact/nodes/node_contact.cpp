@@ -33,7 +33,7 @@ void NodeContact::check(const Section& section) {
   bind(section,
        std::make_unique<SmoothSurface>(master.sides(), deck_.drawing, deck_.corner_angle * pi / 180, deck_.overhang,
                                        mesh.coordinates()),
-       ContactPoints::nodes, quadrature_degree, deck_.reach > 0 ? deck_.reach : 1e300);
+       SideRule::At::nodes, quadrature_degree, deck_.reach > 0 ? deck_.reach : 1e300);
 }
 
 }  // namespace mudline

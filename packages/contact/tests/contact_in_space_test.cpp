@@ -42,7 +42,7 @@ std::string contact() { return contact_parameters("surface quadrature", eps); }
 TEST(ContactRule, IntegralsOfMultiplierShapesArePositive) {
   for (CellShape side : {CellShape::line2, CellShape::line3, CellShape::tri3, CellShape::tri6, CellShape::quad4,
                          CellShape::quad8, CellShape::quad9}) {
-    const ContactRule rule(ContactPoints::quadrature, side, 5);
+    const ContactRule rule(SideRule::At::gauss, side, 5);
     double sum = 0;
     for (int a = 0; a < rule.multipliers; ++a) {
       double integral = 0;
