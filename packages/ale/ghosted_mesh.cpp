@@ -349,8 +349,9 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mes
   }
   on_boundary_.assign(node_ids_.size(), 0);
   for (const auto& [place, i] : sides) {
-    BoundarySide side{
-        static_cast<int>(boundary[i + 2]), static_cast<int>(boundary[i + 3]), {}, {}, boundary[i + 4] != 0};
+    const int block = static_cast<int>(boundary[i + 2]), other = static_cast<int>(boundary[i + 3]),
+              number = static_cast<int>(boundary[i + 1]);
+    BoundarySide side{side_shape(mesh.blocks()[block].shape, number), block, other, {}, {}, boundary[i + 4] != 0};
     const long long* at = &boundary[i] + head;
     for (int k = 0; k < boundary[i + 5]; ++k) side.nodes.push_back(local_node(*at++));
     for (int k = 0; k < boundary[i + 6]; ++k) side.sets.insert(names[*at++]);

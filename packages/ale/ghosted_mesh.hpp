@@ -43,6 +43,7 @@ class GhostedMesh {
   };
   /// A side on the boundary of a region.
   struct BoundarySide {
+    CellShape shape;
     int block, other;            // block of its element, and of the one across; -1: on the boundary of the mesh
     std::vector<int> nodes;      // in the order of the side's shape
     std::set<std::string> sets;  // side sets that it belongs to

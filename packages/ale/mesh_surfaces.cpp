@@ -162,12 +162,7 @@ std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh) {
     if (side.other >= 0 && side.other < side.block) other_sets[{side.nodes.begin(), side.nodes.end()}] = side.sets;
   for (const auto& side : mesh.boundary()) {
     if (side.other >= 0 && side.other < side.block) continue;
-    const std::map<std::size_t, CellShape> shapes{{3, CellShape::tri3},
-                                                  {4, CellShape::quad4},
-                                                  {6, CellShape::tri6},
-                                                  {8, CellShape::quad8},
-                                                  {9, CellShape::quad9}};
-    SurfaceFace face{shapes.at(side.nodes.size()), {}, side.sets, side.other < 0, side.block, side.other};
+    SurfaceFace face{side.shape, {}, side.sets, side.other < 0, side.block, side.other};
     std::copy(side.nodes.begin(), side.nodes.end(), face.nodes.begin());
     const std::set<std::string>& across = other_sets[{side.nodes.begin(), side.nodes.end()}];
     face.sets.insert(across.begin(), across.end());

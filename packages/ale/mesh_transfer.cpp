@@ -222,16 +222,15 @@ void MeshTransfer::transfer_node_arrays(const StateStore& old_store, const State
 
 void MeshTransfer::transfer_surfaces(const StateStore& old_store, const State& old, const StateStore& store,
                                      const State& now) const {
-  const Positions x = old_ale_.mesh().gather(old.coordinates);
-  std::map<std::string, SurfaceTransfer> surfaces;
+  std::map<const SurfacePoints*, SurfaceTransfer> surfaces;  // arrays of one contact share their points
   for (int handle = 0; handle < store.num_arrays(); ++handle) {
     const ArrayInfo& info = store.info(handle);
     if (info.on != ArrayInfo::On::surface) continue;
-    const std::string& set = info.surface->side_set();
-    const SurfaceTransfer& surface = surfaces.try_emplace(set, old_ale_, x, set).first->second;
     const int before = old_store.find(info.name);
-    surface.transfer(info.variables, {old_store.info(before), old.arrays[before], old.coordinates},
-                     {info, now.arrays[handle], now.coordinates});
+    const SurfaceTransfer::Side old_side{*old_store.info(before).surface, old.coordinates},
+        side{*info.surface, now.coordinates};
+    const SurfaceTransfer& surface = surfaces.try_emplace(info.surface.get(), old_ale_, old_side, side).first->second;
+    surface.transfer(info.variables, old.arrays[before], now.arrays[handle]);
   }
 }
 

@@ -138,22 +138,23 @@ void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, cons
   }
 }
 
+double NodalRemap::Sources::away(int a) const {
+  const Vec<double, 3>& at = reference_node(shape, a);
+  double square = 0;
+  for (int k = 0; k < dimension(shape); ++k) square += std::pow(xi[k] - at[k], 2);
+  return square;
+}
+
 NodalRemap::Sources NodalRemap::sources(const Place& place, Support support) const {
   Sources result;
   const bool on_side = place.side_nodes[0] >= 0;
-  const CellShape whole = on_side ? place.side : mesh_.elements()[place.element].shape,
-                  shape = support == Support::vertices ? linear_partner(whole) : whole;
-  const double* const xi = on_side ? place.along.data() : place.xi;
-  double slopes[81];
-  evaluate_shape(shape, xi, result.weight, slopes);
-  result.count = num_nodes(shape);
+  const CellShape whole = on_side ? place.side : mesh_.elements()[place.element].shape;
+  result.shape = support == Support::vertices ? linear_partner(whole) : whole;
+  result.xi = on_side ? place.along.data() : place.xi;
+  result.count = num_nodes(result.shape);
   result.nodes = on_side ? place.side_nodes.data() : mesh_.elements()[place.element].nodes.data();
-  for (int a = 0; a < result.count; ++a) {
-    const Vec<double, 3> at = reference_node(shape, a);
-    double square = 0;
-    for (int k = 0; k < dimension(shape); ++k) square += std::pow(xi[k] - at[k], 2);
-    result.away[a] = std::sqrt(square);
-  }
+  double slopes[81];
+  evaluate_shape(result.shape, result.xi, result.weight, slopes);
   return result;
 }
 
@@ -200,7 +201,7 @@ std::vector<double> NodalRemap::of_rows(const std::vector<double>& old, const st
       for (int a = 0; a < from.count; ++a) {
         if (!has_row(a)) continue;
         ++with;
-        if (best < 0 || from.away[a] < from.away[best]) best = a;
+        if (best < 0 || from.away(a) < from.away(best)) best = a;
       }
       nearest = from.nodes[std::max(best, 0)];
       whole = with == from.count;

@@ -56,9 +56,13 @@ class NodalRemap {
                    Place& place) const;
   /// The nodes from which a place takes its values, with their weights.
   struct Sources {
+    CellShape shape;
+    const double* xi;  // the place in reference coordinates
     int count;
     const int* nodes;
-    double weight[27], away[27];  // [-]; away: distance in reference coordinates
+    double weight[27];
+    /// Square of the distance of a node in reference coordinates.
+    double away(int a) const;
   };
   Sources sources(const Place& place, Support support) const;
   void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "algebra/raw_communicator.hpp"
-#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -62,24 +61,36 @@ std::vector<double> transferred(Transfer rule, const std::vector<double>& s, con
 
 }  // namespace
 
-SurfaceTransfer::SurfaceTransfer(const Ale& before, const Positions& x, const std::string& surface)
-    : mesh_(before.mesh()), comm_(*mesh_.mesh().comm()), dimension_(before.mesh().dimension()), x_(x) {
+SurfaceTransfer::SurfaceTransfer(const Ale& before, const Side& old, const Side& now)
+    : mesh_(before.mesh()), comm_(*mesh_.mesh().comm()), dimension_(mesh_.dimension()), x_(mesh_.gather(old.x)) {
+  const std::string& surface = old.points.side_set();
+  const Rows rows_before(old), rows_now(now);
+  if (dimension_ == 3) {
+    for (const SurfaceFace& face : before.surfaces().faces)
+      if (face.sets.count(surface)) faces_.push_back(face);
+    locator_.emplace(faces_, x_);
+    old_areas_ = all_gather(comm_, rows_before.areas);
+    areas_ = rows_now.areas;
+    origins_ = origins(rows_before, rows_now);
+    return;
+  }
   for (const MeshPath& path : before.paths()) {
     if (!path.sets.count(surface)) continue;
     double s = 0;
     for (int i = 0; i + path.stride < static_cast<int>(path.nodes.size()); i += path.stride) {
       const int a = path.nodes[i], b = path.nodes[i + path.stride];
-      const double chord = std::hypot(x[b][0] - x[a][0], x[b][1] - x[a][1]);
+      const double chord = std::hypot(x_[b][0] - x_[a][0], x_[b][1] - x_[a][1]);
       sides_.push_back(
           {static_cast<int>(lengths_.size()), {a, b, path.stride == 2 ? path.nodes[i + 1] : -1}, s, s + chord});
       s += chord;
     }
     lengths_.push_back(s);
   }
-  if (dimension_ == 2) return;
-  for (const SurfaceFace& face : before.surfaces().faces)
-    if (face.sets.count(surface)) faces_.push_back(face);
-  locator_.emplace(faces_, x_);
+  std::size_t first = 0;
+  from_ = along(all_gather(comm_, flat(rows_before.places, 2)));
+  to_ = along(all_gather(comm_, flat(rows_now.places, 2), &first));
+  mine_ = static_cast<int>(first / 2);
+  end_ = mine_ + static_cast<int>(rows_now.places.size());
 }
 
 std::vector<double> SurfaceTransfer::column_of(const PointView& rows, int column) const {
@@ -111,42 +122,37 @@ std::vector<std::vector<SurfaceTransfer::Row>> SurfaceTransfer::along(const std:
   return result;
 }
 
-SurfaceTransfer::Rows::Rows(const ArrayInfo& info, const PointView& rows, const ConstCoordinateView& x)
-    : values(rows), places(info.surface->places(x)), areas(info.surface->areas(x)), inside(places) {
+SurfaceTransfer::Rows::Rows(const Side& side)
+    : places(side.points.places(side.x)), areas(side.points.areas(side.x)), inside(places) {
+  const std::vector<long long>& ids = side.points.ids();
   for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
-    const auto side = [&](std::size_t row) { return info.ids[row] / SurfacePoints::most_points_of_side; };
+    const auto number = [&](std::size_t row) { return ids[row] / SurfacePoints::most_points_of_side; };
     Point middle{};
-    for (last = first; last < places.size() && side(last) == side(first); ++last) middle += places[last];
+    for (last = first; last < places.size() && number(last) == number(first); ++last) middle += places[last];
     middle = 1.0 / static_cast<double>(last - first) * middle;
     for (std::size_t row = first; row < last; ++row) inside[row] += inwards * (middle - places[row]);
   }
 }
 
-void SurfaceTransfer::transfer(const std::vector<StateVariable>& variables, const Rows& old, const Rows& now) const {
-  if (dimension_ == 3) {
-    transfer_in_space(variables, old, now);
-    return;
-  }
-  std::size_t first = 0;
-  const auto from = along(all_gather(comm_, flat(old.places, 2))),
-             to = along(all_gather(comm_, flat(now.places, 2), &first));
-  const int mine = static_cast<int>(first / 2), end = mine + static_cast<int>(now.places.size());
+void SurfaceTransfer::transfer(const std::vector<StateVariable>& variables, const PointView& old,
+                               const PointView& now) const {
+  if (dimension_ == 3) return transfer_in_space(variables, old, now);
   int column = 0;
   for (const StateVariable& variable : variables)
     for (int c = 0; c < variable.components; ++c, ++column) {
-      const std::vector<double> values = column_of(old.values, column);
-      for (std::size_t p = 0; p < from.size(); ++p) {
-        if (from[p].empty()) continue;
+      const std::vector<double> values = column_of(old, column);
+      for (std::size_t p = 0; p < from_.size(); ++p) {
+        if (from_[p].empty()) continue;
         std::vector<double> s, of, places;
-        for (const Row& row : from[p]) {
+        for (const Row& row : from_[p]) {
           s.push_back(row.s);
           of.push_back(values[row.number]);
         }
-        for (const Row& row : to[p]) places.push_back(row.s);
+        for (const Row& row : to_[p]) places.push_back(row.s);
         const std::vector<double> made = transferred(variable.transfer, s, of, places, lengths_[p]);
-        for (std::size_t i = 0; i < to[p].size(); ++i)
-          if (to[p][i].number >= mine && to[p][i].number < end)
-            now.values(to[p][i].number - mine, column) = bounded(variable, made[i]);
+        for (std::size_t i = 0; i < to_[p].size(); ++i)
+          if (to_[p][i].number >= mine_ && to_[p][i].number < end_)
+            now(to_[p][i].number - mine_, column) = bounded(variable, made[i]);
       }
     }
 }
@@ -228,23 +234,21 @@ std::vector<SurfaceTransfer::Origin> SurfaceTransfer::origins(const Rows& old, c
   return result;
 }
 
-void SurfaceTransfer::transfer_in_space(const std::vector<StateVariable>& variables, const Rows& old,
-                                        const Rows& now) const {
-  const std::vector<double> areas = all_gather(comm_, old.areas);
-  const std::vector<Origin> made_of = origins(old, now);
+void SurfaceTransfer::transfer_in_space(const std::vector<StateVariable>& variables, const PointView& old,
+                                        const PointView& now) const {
   int column = 0;
   for (const StateVariable& variable : variables)
     for (int c = 0; c < variable.components; ++c, ++column) {
       const bool is_total = variable.transfer == Transfer::total;
-      std::vector<double> values = column_of(old.values, column);
+      std::vector<double> values = column_of(old, column);
       double total = 0;
       if (is_total)
         for (std::size_t row = 0; row < values.size(); ++row) {
           total += values[row];
-          values[row] /= std::max(areas[row], 1e-300);
+          values[row] /= std::max(old_areas_[row], 1e-300);
         }
       std::vector<double> made;
-      for (const Origin& origin : made_of) {
+      for (const Origin& origin : origins_) {
         double sum = 0, least = 1e300, most = -1e300;
         for (const auto& [row, weight] : origin.weights) {
           sum += weight * values[row];
@@ -256,12 +260,11 @@ void SurfaceTransfer::transfer_in_space(const std::vector<StateVariable>& variab
       double scale = 1;
       if (is_total) {
         const auto sum = [&] { return mesh_.sum(std::accumulate(made.begin(), made.end(), 0.0)); };
-        for (std::size_t row = 0; row < made.size(); ++row) made[row] *= now.areas[row];
-        if (sum() == 0) made = now.areas;  // a density of zero is spread evenly
+        for (std::size_t row = 0; row < made.size(); ++row) made[row] *= areas_[row];
+        if (sum() == 0) made = areas_;  // a density of zero is spread evenly
         scale = total / sum();
       }
-      for (std::size_t row = 0; row < made.size(); ++row)
-        now.values(row, column) = bounded(variable, scale * made[row]);
+      for (std::size_t row = 0; row < made.size(); ++row) now(row, column) = bounded(variable, scale * made[row]);
     }
 }
 

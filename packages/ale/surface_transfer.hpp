@@ -7,32 +7,37 @@
 
 #include "ale/ale.hpp"
 #include "ale/face_locator.hpp"
+#include "framework/surface_points.hpp"
 
 namespace mudline {
 
-/// Transfers arrays whose rows are points of a surface from one mesh to another, by the rule of each variable. In the
-/// plane totals are kept on every path, and values are linear between the rows along the path, and constant beyond the
-/// last ones. In space the rows on an old face are fitted by a linear function of its reference coordinates, within the
-/// range of its rows. Totals are fitted as densities, and all rows of the surface are then scaled to the old total. A
-/// row at the place of an old one gets that row's numbers.
+/// Transfers arrays whose rows are the same points of a surface from one mesh to another, by the rule of each variable.
+/// In the plane totals are kept on every path, and values are linear between the rows along the path, and constant
+/// beyond the last ones. In space the rows on an old face are fitted by a linear function of its reference coordinates,
+/// within the range of its rows. Totals are fitted as densities, and all rows of the surface are then scaled to the old
+/// total. A row at the place of an old one gets that row's numbers.
 class SurfaceTransfer {
  public:
-  /// `before`: the old mesh, with its nodes at `x` [m]. `surface`: name of a side set.
-  SurfaceTransfer(const Ale& before, const Positions& x, const std::string& surface);
+  /// Points on one of the meshes, with its nodes at x.
+  struct Side {
+    const SurfacePoints& points;
+    ConstCoordinateView x;
+  };
+  /// `before`: the old mesh. Collective.
+  SurfaceTransfer(const Ale& before, const Side& old, const Side& now);
   SurfaceTransfer(const SurfaceTransfer&) = delete;
   SurfaceTransfer& operator=(const SurfaceTransfer&) = delete;
-  /// An array on one of the meshes: this rank's rows, their places [m] and areas [m2].
-  struct Rows {
-    PointView values;
-    std::vector<Point> places;
-    std::vector<double> areas;
-    std::vector<Point> inside;  // places a little towards the middle of their sides
-    Rows(const ArrayInfo& info, const PointView& rows, const ConstCoordinateView& x);
-  };
-  /// Transfers an array. Collective.
-  void transfer(const std::vector<StateVariable>& variables, const Rows& old, const Rows& now) const;
+  /// Transfers this rank's rows of an array. Collective.
+  void transfer(const std::vector<StateVariable>& variables, const PointView& old, const PointView& now) const;
 
  private:
+  /// This rank's rows.
+  struct Rows {
+    std::vector<Point> places;  // [m]
+    std::vector<double> areas;  // [m2]
+    std::vector<Point> inside;  // places a little towards the middle of their sides
+    explicit Rows(const Side& side);
+  };
   struct Row {
     int path;
     double s;    // [m] along it
@@ -50,7 +55,7 @@ class SurfaceTransfer {
   std::vector<Origin> origins(const Rows& old, const Rows& now) const;
   /// The face of the old mesh on which a row stands. Rows on its edges belong to the side that they were declared on.
   SurfacePlace face_of(const Point& place, const Point& inside) const;
-  void transfer_in_space(const std::vector<StateVariable>& variables, const Rows& old, const Rows& now) const;
+  void transfer_in_space(const std::vector<StateVariable>& variables, const PointView& old, const PointView& now) const;
 
   struct PathSide {
     int path, nodes[3];
@@ -63,10 +68,16 @@ class SurfaceTransfer {
   const Comm& comm_;
   int dimension_;
   Positions x_;
+  // in the plane
   std::vector<PathSide> sides_;
-  std::vector<double> lengths_;     // (path)
-  std::vector<SurfaceFace> faces_;  // in space
+  std::vector<double> lengths_;              // (path)
+  std::vector<std::vector<Row>> from_, to_;  // (path)
+  int mine_ = 0, end_ = 0;                   // numbers of this rank's new rows
+  // in space
+  std::vector<SurfaceFace> faces_;
   std::optional<FaceLocator> locator_;
+  std::vector<double> old_areas_, areas_;  // of all ranks' old rows, of this rank's new ones [m2]
+  std::vector<Origin> origins_;            // of this rank's new rows
 };
 
 }  // namespace mudline

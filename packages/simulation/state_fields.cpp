@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "framework/nodal_exchange.hpp"
@@ -136,12 +137,13 @@ namespace {
 /// around a node of their rows that are nearest to it.
 std::vector<OutputField> array_fields(const Model& model) {
   const StateStore& store = model.store();
-  const NodalExchange exchange(model.mesh());
+  std::optional<NodalExchange> exchange;  // of arrays on surfaces
   std::vector<OutputField> result;
   for (int handle = 0; handle < store.num_arrays(); ++handle) {
     const ArrayInfo& info = store.info(handle);
     const bool at_nodes = shown(info, ArrayInfo::On::nodes);
     if (!at_nodes && !shown(info, ArrayInfo::On::surface)) continue;
+    if (!at_nodes && !exchange) exchange.emplace(model.mesh());
     const PointView& rows = store.committed().arrays[handle];
     int column = 0;
     for (const StateVariable& variable : info.variables) {
@@ -153,8 +155,8 @@ std::vector<OutputField> array_fields(const Model& model) {
         for (std::size_t row = 0; row < info.nodes.size(); ++row) sums[info.nodes[row]] = rows(row, column);
         if (!at_nodes) {
           info.surface->add_at_nodes(rows, column, sums, counts);
-          exchange.sum_shared(sums);
-          exchange.sum_shared(counts);
+          exchange->sum_shared(sums);
+          exchange->sum_shared(counts);
         }
         for (int node = 0; node < owned; ++node)
           field.values[node * components + c] = sums[node] / std::max(1.0, counts[node]);
