@@ -12,6 +12,8 @@ namespace mudline {
 
 namespace {
 
+constexpr const char* take_quadratic_cells = "take quadratic cells (tri6 or quad9, tet10, wedge15 or hex27)";
+
 /// A loaded or pressed part of the upper surface: footing, embankment.
 struct Patch {
   std::string name;   // of the condition
@@ -161,8 +163,7 @@ void linear_cells(const Setup& setup, const Judge& judge) {
   stiffest = max_over_ranks(*setup.mesh().comm(), stiffest);
   if (stiffest == 0) return;
   judge(stiffest, "K/G of soil in linear cells",
-        "they lock where the volume is kept, and are up to some times too stiff: take quadratic cells (tri6 or "
-        "quad9, tet10, wedge15 or hex27)");
+        std::string("they lock where the volume is kept, and are up to some times too stiff: ") + take_quadratic_cells);
 }
 
 /// Laws of constant volume in plastic flow.
@@ -179,8 +180,7 @@ void linear_cells_that_yield(const Setup& setup, const Judge& judge) {
         law == "tresca" || law == "von mises" || (frictional && !(dilation.known() && dilation.high > 0));
     if (keeps)
       judge(1, "material '" + entry.name() + "': the number of laws that yield at constant volume in linear cells",
-            "collapse loads come out far too high there: take quadratic cells (tri6 or quad9, tet10, "
-            "wedge15 or hex27)");
+            std::string("collapse loads come out far too high there: ") + take_quadratic_cells);
   }
 }
 

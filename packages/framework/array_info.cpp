@@ -12,6 +12,12 @@ ArrayInfo ArrayInfo::of_model(std::string name, std::vector<StateVariable> varia
   return info;
 }
 
+ArrayInfo ArrayInfo::of_model(std::string name, std::vector<StateVariable> variables, std::vector<long long> ids) {
+  ArrayInfo info = of_model(std::move(name), std::move(variables), static_cast<int>(ids.size()));
+  info.ids = std::move(ids);
+  return info;
+}
+
 ArrayInfo ArrayInfo::of_sum(std::string name, std::vector<StateVariable> variables) {
   ArrayInfo info{std::move(name), std::move(variables)};
   info.on = On::sum;

@@ -66,6 +66,8 @@ struct ArrayInfo {
   bool hidden = false;  // it is not written to the results: their author writes it in another form, or not at all
 
   static ArrayInfo of_model(std::string name, std::vector<StateVariable> variables, int rows = 1);
+  /// With a row for each of the ids.
+  static ArrayInfo of_model(std::string name, std::vector<StateVariable> variables, std::vector<long long> ids);
   static ArrayInfo of_sum(std::string name, std::vector<StateVariable> variables);
   static ArrayInfo at_points(std::string name, std::vector<StateVariable> variables, const Mesh& mesh, int block,
                              int points_per_element);

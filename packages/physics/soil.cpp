@@ -167,22 +167,23 @@ void Soil::declare_state(StateStore& store) {
     const std::string prefix = space->mesh().blocks()[b.block].region + "/";
     const std::string suffix =
         store.find(prefix + "effective stress") >= 0 ? std::string("#") + std::to_string(b.block) : "";
-    const auto declare = [&](const std::string& what, std::vector<StateVariable> variables) {
+    const auto at_points = [&](const std::string& what, std::vector<StateVariable> variables) {
       return ArrayInfo::at_points(prefix + what + suffix, std::move(variables), space->mesh(), b.block, b.points);
     };
-    b.stress = store.declare(declare("effective stress", {{"effective stress", 6, "Pa"}}).then_evaluated());
-    b.void_ratio = store.declare(declare("void ratio", {{"void ratio", 1, "-", Transfer::mass, b.porous() ? 0.0 : -1.0},
-                                                        {"initial void ratio", 1, "-"}}));
+    b.stress = store.declare(at_points("effective stress", {{"effective stress", 6, "Pa"}}).then_evaluated());
+    b.void_ratio =
+        store.declare(at_points("void ratio", {{"void ratio", 1, "-", Transfer::mass, b.porous() ? 0.0 : -1.0},
+                                               {"initial void ratio", 1, "-"}}));
     // the states of all laws of a block begin in the same column
     const auto widest = std::max_element(b.made_of.begin(), b.made_of.end(), [&](int one, int two) {
       return materials[one]->skeleton->state_size() < materials[two]->skeleton->state_size();
     });
-    b.law = store.declare(declare("law", materials[*widest]->skeleton->state_variables()).then_evaluated());
+    b.law = store.declare(at_points("law", materials[*widest]->skeleton->state_variables()).then_evaluated());
     if (!layered()) continue;
     std::vector<StateVariable> place{{"material", 1, "-"}};
     for (int i = 0; i < space->mesh().dimension(); ++i)
       place.push_back({std::string("place at the start ") + axis_names[i], 1, "m"});
-    b.origin = store.declare(declare("material", place));
+    b.origin = store.declare(at_points("material", place));
   }
 }
 

@@ -20,26 +20,20 @@ bool exchanges(const Term& term) { return term.role() == Role::exchange || term.
 }  // namespace
 
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
-  ArrayInfo info = ArrayInfo::of_model("balance", {{"value", 1, "SI"}}).not_shown();
-  for (int row = 0; row < first_term; ++row) info.ids.push_back(row);
-  for (const Term* term : terms_)
-    info.ids.push_back(static_cast<long long>(fingerprint(term->name().data(), term->name().size())));
-  first_conserved_ = static_cast<int>(info.ids.size());
+  std::vector<long long> ids;
+  for (int row = 0; row < first_term; ++row) ids.push_back(row);
+  for (const Term* term : terms_) ids.push_back(id_of(term->name()));
+  first_conserved_ = static_cast<int>(ids.size());
   for (const Conserved& what : model_.conserved())
-    for (const char* row : {"start", "outflow", "turnover", "remap"}) {
-      const std::string name = "conserved " + what.name + " " + row;
-      info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
-    }
-  first_layer_ = static_cast<int>(info.ids.size());
+    for (const char* row : {"start", "outflow", "turnover", "remap"})
+      ids.push_back(id_of("conserved " + what.name + " " + row));
+  first_layer_ = static_cast<int>(ids.size());
   if (model_.ale() && model_.soil()->layered()) {
-    std::vector<std::string> counted{"points changed", "points started"};
-    for (const auto& material : model_.soil()->materials) counted.push_back("restored " + material->name);
-    for (const auto& material : model_.soil()->materials) counted.push_back("unresolved " + material->name);
-    for (const std::string& name : counted)
-      info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
+    for (const char* counted : {"points changed", "points started"}) ids.push_back(id_of(counted));
+    for (const char* what : {"restored ", "unresolved "})
+      for (const auto& material : model_.soil()->materials) ids.push_back(id_of(what + material->name));
   }
-  info.rows = static_cast<int>(info.ids.size());
-  handle_ = model.store().declare(std::move(info));
+  handle_ = model.store().declare(ArrayInfo::of_model("balance", {{"value", 1, "SI"}}, std::move(ids)).not_shown());
 }
 
 int Balances::row_of(const Term* term) const {

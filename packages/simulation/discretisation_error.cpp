@@ -36,14 +36,11 @@ DiscretisationError::DiscretisationError(Model& model, double target)
   for (const auto& condition : model.conditions())
     if (condition->drives())
       motions_.push_back({"condition/" + condition->name, nullptr, condition.get(), {"reaction/" + condition->name}});
-  ArrayInfo info = ArrayInfo::of_model("discretisation error", {{"value", 1, "SI"}}).not_shown();
+  std::vector<long long> ids;
   for (const Motion& motion : motions_)
-    for (const char* row : {" share", " fastest"}) {
-      const std::string name = motion.name + row;
-      info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
-    }
-  info.rows = static_cast<int>(info.ids.size());
-  handle_ = model.store().declare(std::move(info));
+    for (const char* row : {" share", " fastest"}) ids.push_back(id_of(motion.name + row));
+  ArrayInfo info = ArrayInfo::of_model("discretisation error", {{"value", 1, "SI"}}, std::move(ids));
+  handle_ = model.store().declare(std::move(info).not_shown());
 }
 
 void DiscretisationError::start() { estimator_.start(model_.store().committed()); }

@@ -25,6 +25,9 @@ constexpr double finest = 0.5;
 constexpr const char* at_the_start = "wall at the start";
 enum Column { area, pressure, place };
 
+/// Whether there are walls with water behind them.
+bool watches(const Model& model) { return !model.contacts().empty() && model.soil() && model.soil()->pressure >= 0; }
+
 PointView rows_of(const RunView& run) {
   const StateStore& store = run.model.store();
   return run.state.arrays[store.find(at_the_start)];
@@ -100,21 +103,17 @@ WallDissipation::Wall WallDissipation::look(const Model& model, const Contact& c
 }
 
 void WallDissipation::declare_state(Model& model) {
-  if (model.contacts().empty()) return;
-  ArrayInfo info =
-      ArrayInfo::of_model(
-          at_the_start,
-          {{"area", 1, "m2"}, {"pressure", 1, "Pa"}, {"body x", 1, "m"}, {"body y", 1, "m"}, {"body z", 1, "m"}})
-          .not_shown();
-  for (const auto& [name, contact] : model.contacts())
-    info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
-  info.rows = static_cast<int>(info.ids.size());
-  model.store().declare(std::move(info));
+  if (!watches(model)) return;
+  std::vector<long long> ids;
+  for (const auto& [name, contact] : model.contacts()) ids.push_back(id_of(name));
+  const std::vector<StateVariable> wall{
+      {"area", 1, "m2"}, {"pressure", 1, "Pa"}, {"body x", 1, "m"}, {"body y", 1, "m"}, {"body z", 1, "m"}};
+  model.store().declare(ArrayInfo::of_model(at_the_start, wall, std::move(ids)).not_shown());
 }
 
 void WallDissipation::begin_stage(const RunView& run) {
   const Model& model = run.model;
-  if (run.resumed || model.contacts().empty() || !model.soil() || model.soil()->pressure < 0) return;
+  if (run.resumed || !watches(model)) return;
   const NodalView excess = run.pressure.values();
   const PointView start = rows_of(run);
   Kokkos::deep_copy(start, 0.0);
@@ -132,8 +131,7 @@ void WallDissipation::begin_stage(const RunView& run) {
 
 void WallDissipation::end_stage(const RunView& run) {
   const Model& model = run.model;
-  if (run.stage.type == Stage::Type::geostatic || model.contacts().empty()) return;
-  if (!model.soil() || model.soil()->pressure < 0) return;
+  if (run.stage.type == Stage::Type::geostatic || !watches(model)) return;
   const NodalView excess = run.pressure.values();
   const PointView start = rows_of(run);
   for (std::size_t k = 0; k < model.contacts().size(); ++k) {

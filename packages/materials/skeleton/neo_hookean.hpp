@@ -25,9 +25,7 @@ struct NeoHookean {
     p.required("Poisson's ratio", poisson, "-", half_open(0.0, 0.5),
                "Ratio of lateral contraction to extension at small strain");
   }
-  static std::vector<StateVariable> state() {
-    return {{"left cauchy-green strain", 6, "-", Transfer::value, -1e300, 1e300}};
-  }
+  static std::vector<StateVariable> state() { return {{"left cauchy-green strain", 6, "-"}}; }
   std::string initialise(const InitialPoint& point, double* state) const;
 
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const {

@@ -22,5 +22,9 @@ bool same_everywhere(MPI_Comm comm, const std::string& text);
 
 /// FNV-1a hash of 64 bits: the same on every machine, unlike std::hash.
 std::uint64_t fingerprint(const void* data, std::size_t bytes, std::uint64_t start = 14695981039346656037ull);
+/// That of a name, as the id of a row of a state array.
+inline long long id_of(const std::string& name) {
+  return static_cast<long long>(fingerprint(name.data(), name.size()));
+}
 
 }  // namespace mudline
