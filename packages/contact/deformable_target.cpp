@@ -101,6 +101,17 @@ struct SurfaceSeen {
 
 }  // namespace
 
+void DeformableTarget::bind(const Space& space, int displacement) {
+  space_ = &space;
+  displacement_ = displacement;
+  for (const MasterSurface::MasterSide& side : sides())
+    for (int a = 0; a < side.count; ++a) {
+      std::vector<int>& around = corners_[side.node[a]];
+      if (!around.empty()) continue;
+      for (int corner : corners_around(side.shape, a)) around.push_back(side.node[corner]);
+    }
+}
+
 int* DeformableTarget::write_dofs(int piece, int* to) const {
   const TargetNodes of_piece = nodes(piece);
   return space_->write_dofs(displacement_, of_piece.node, of_piece.count, to);
@@ -117,6 +128,20 @@ void DeformableTarget::write(const TargetPlace& place, const ContactPoint& point
   columns[column::piece] = place.piece;
   std::copy_n(place.at, axes_ - 1, columns + column::at);
   if (axes_ == 3) std::copy_n(point.normal.data(), 3, columns + column::normal);
+}
+
+std::vector<VertexShare> DeformableTarget::vertices(const double* columns) const {
+  const int piece = old_piece(columns);
+  if (piece < 0) return {};
+  double weight[max_target_nodes];
+  weights(piece, columns + column::at, weight);
+  const TargetNodes of_piece = nodes(piece);
+  std::vector<VertexShare> result;
+  for (int a = 0; a < of_piece.count; ++a) {
+    const std::vector<int>& around = corners_.at(of_piece.node[a]);
+    for (int vertex : around) result.push_back({vertex, weight[a] / static_cast<double>(around.size())});
+  }
+  return result;
 }
 
 ContactPoint DeformableTarget::act(const PointInStep& point, const TargetPlace& place, SideAction& to) const {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "contact/master_surface.hpp"
 #include "contact/target.hpp"
 #include "framework/space.hpp"
@@ -51,10 +54,7 @@ class DeformableTarget : public Target {
   /// Weights of the nodes of a piece at coordinates on it.
   virtual void weights(int piece, const double* at, double* weight) const = 0;
   /// Gives it the field whose displacements move its nodes; it has dofs from then on.
-  void bind(const Space& space, int displacement) {
-    space_ = &space;
-    displacement_ = displacement;
-  }
+  void bind(const Space& space, int displacement);
 
   int num_dofs(int piece) const override { return axes_ * nodes(piece).count; }
   int* write_dofs(int piece, int* to) const override;
@@ -66,6 +66,7 @@ class DeformableTarget : public Target {
                 ContactPoint& point) const override {
     point.normal = closest(place, at, x).normal;
   }
+  std::vector<VertexShare> vertices(const double* columns) const override;
   ContactPoint act(const PointInStep& point, const TargetPlace& place, SideAction& to) const override;
   int old_piece(const double* columns) const override { return static_cast<int>(columns[0]); }
   void old_forces(const double* columns, const Point& force, double* on_target) const override;
@@ -73,6 +74,7 @@ class DeformableTarget : public Target {
  private:
   int axes_, displacement_ = -1;
   const Space* space_ = nullptr;
+  std::map<int, std::vector<int>> corners_;  // (node) the vertices whose mean is its place on its side
 };
 
 }  // namespace mudline

@@ -207,6 +207,25 @@ void PointContact::add_forces(const StepView& view, std::size_t side, int entry,
 void PointContact::correction(const StepView& view, const ResidualView& f) {
   for (const auto& [dof, force] : later_) f.add(dof, -force);
   if (leak_) leak_->add(view, f);
+  if (laws_.friction() && temperature_ >= 0 && view.flow) add_heat(view, f);
+}
+
+void PointContact::add_heat(const StepView& view, const ResidualView& f) const {
+  const auto& dofs = context_.space.node_dof(temperature_);
+  const double slave = heat_share(), target = 1 - slave;
+  for (std::size_t s = 0; s < sides().size(); ++s) {
+    const SurfaceSide& side = sides()[s];
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
+      const double heat = rows_.shear(*view.trial, row).dissipated - rows_.shear(*view.committed, row).dissipated,
+                   rate = heat / view.dt;
+      if (rate == 0) continue;
+      const double* const share = &rule(side).corner(row - first_row_[s], 0);
+      for (int a = 0; a < num_corners(side.shape); ++a) f.add(dofs(side.node[a]), -slave * share[a] * rate);
+      if (target == 0) continue;
+      for (const auto& [node, part] : target_->vertices(rows_.more(*view.trial, row)))
+        f.add(dofs(node), -target * part * rate);
+    }
+  }
 }
 
 void PointContact::jacobian(const StepView& view, Assembler& assembler, double weight) {

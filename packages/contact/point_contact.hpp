@@ -84,6 +84,8 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   /// Areas of a side's points without the circumference [m2], by which multipliers are weighted: nodes on the axis
   /// count too. False where the side is degenerate.
   virtual bool lengths(std::size_t side, const State& state, double* of_points) const;
+  /// Share of the heat of friction that goes into the slave; the rest goes into the target.
+  virtual double heat_share() const { return 1; }
   /// The multiplier of a point's shear stress with which a step starts [Pa].
   virtual Point initial_shear_multiplier(const State& committed, int row) const;
 
@@ -138,6 +140,8 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
 
  private:
   void start_multipliers(const StepView& view) const;
+  /// Adds the heat of friction to the balances of heat. It has no derivatives, because it changes forces slowly.
+  void add_heat(const StepView& view, const ResidualView& f) const;
 
   /// Evaluates all points, and calls take(side, entry, forces between the side and a piece). Without a tangent it
   /// writes the points of the trial state, and remembers what pressed elsewhere before. Returns the number of failures.

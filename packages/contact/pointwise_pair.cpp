@@ -26,7 +26,8 @@ void PointwisePairContact::check_entries(const Section& section, int dimension) 
   if (deck_.augmented() && section.has_parameter("impact"))
     section.fail("has a meaning only with 'enforcement' = penalty: its shares are those of the penalty spring's energy",
                  "impact");
-  read_laws_of_two(context_, section, laws_);
+  laws_.read(context_, section);
+  check_heat_share(context_, section, laws_);
   const bool conserving = deck_.impact == PointwiseParameters::Impact::conserving;
   check_parts(section, section.has_parameter("impact") && conserving, deck_.damping > 0);
   laws_.check_linear(section, deck_.augmented(), conserving);

@@ -59,6 +59,7 @@ class PointwisePairContact : public PointContact {
                PointAreas& areas) const override;
   Point outward(int row) const override { return points_[row].outward; }
   double share(int row) const override { return points_[row].share; }
+  double heat_share() const override { return deck_.heat_share; }
   bool lengths(std::size_t side, const State& state, double* of_points) const override;
   Point initial_shear_multiplier(const State& committed, int row) const override;
 

@@ -22,6 +22,12 @@ struct TargetPlace {
   std::variant<std::monostate, ContourProjection, SurfaceProjection> projection = {};
 };
 
+/// A vertex of the mesh, and the value of its linear shape function at a place.
+struct VertexShare {
+  int node;  // local
+  double share;
+};
+
 /// What the points of a slave touch: a rigid body, or a deformable surface in pieces that are drawn over nodes of the
 /// mesh. Which unknowns a piece depends on never changes.
 class Target {
@@ -50,6 +56,10 @@ class Target {
   /// moment and height.
   virtual void complete(const TargetPlace& place, const Point& at, const ConstCoordinateView& x,
                         ContactPoint& point) const = 0;
+
+  /// The vertices of the target's mesh around the closest point of a row, by the target's columns; none: what it
+  /// touches has no fields.
+  virtual std::vector<VertexShare> vertices(const double* columns) const = 0;
 
   /// Evaluates a point at a place that find() has found, and adds its forces to those of its side and piece.
   virtual ContactPoint act(const PointInStep& point, const TargetPlace& place, SideAction& to) const = 0;

@@ -25,6 +25,8 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
         "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far "
         "apart, half their distance");
   p.add("damping", damping, "s/m", non_negative(), damping_documentation);
+  p.add("slave heat share", heat_share, "-", closed(0, 1),
+        "In a model with temperature: share of the heat of friction that warms the slave; the rest warms the master");
   ContactLaws::declare_normal_law(p);
 }
 
@@ -57,11 +59,11 @@ void check_two_sets(const Mesh& mesh, int dimension, const Section& section, con
   }
 }
 
-void read_laws_of_two(const ContactContext& context, const Section& section, ContactLaws& laws) {
-  laws.read(context, section);
-  if (laws.friction() && context.space.find("temperature") >= 0)
-    log::warn(section.source() + ": " + section.path() +
-              ": the heat of friction between two surfaces does not warm them; it is counted only");
+void check_heat_share(const ContactContext& context, const Section& section, const ContactLaws& laws) {
+  const char* const entry = "slave heat share";
+  if (!section.has_parameter(entry)) return;
+  if (!laws.friction()) section.fail("has a meaning only with 'friction', which makes the heat", entry);
+  if (context.space.find("temperature") < 0) section.fail("needs a model with the field 'temperature'", entry);
 }
 
 void check_overlap_of_two(const ContactSurface& slave, const Section& section, const std::string& name,

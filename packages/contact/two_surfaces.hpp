@@ -18,6 +18,7 @@ struct TwoSurfaceParameters : EnforcementParameters {
   double reach = 0;             // [m] 0: any two sides may meet
   double advance_limit = 0.25;  // [-] of the slave's shortest side
   double damping = 0;           // [s/m]
+  double heat_share = 0.5;      // [-] of the heat of friction, for the slave
 
   explicit TwoSurfaceParameters(Enforcement usual) : EnforcementParameters{usual} {}
   void parameters(Parameters& p);
@@ -28,8 +29,8 @@ struct TwoSurfaceParameters : EnforcementParameters {
 void check_two_sets(const Mesh& mesh, int dimension, const Section& section, const std::string& slave,
                     const std::string& master);
 
-/// Reads the deck's "friction" and "normal law".
-void read_laws_of_two(const ContactContext& context, const Section& section, ContactLaws& laws);
+/// InputError where 'slave heat share' has no meaning: without friction or without a temperature.
+void check_heat_share(const ContactContext& context, const Section& section, const ContactLaws& laws);
 
 /// InputError where the slave is deeper in the master at the start than half its shortest side; `least_gap`: this
 /// rank's [m]. Collective.

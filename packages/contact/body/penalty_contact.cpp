@@ -188,23 +188,6 @@ bool PenaltyContact::conserves(const StepView& view) const {
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
-void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
-  PointContact::correction(view, f);
-  if (laws_.friction() && temperature_ >= 0 && view.flow) add_heat(view, f);
-}
-
-void PenaltyContact::add_heat(const StepView& view, const ResidualView& f) const {
-  const auto& dofs = context_.space.node_dof(temperature_);
-  for (std::size_t s = 0; s < sides().size(); ++s) {
-    const SurfaceSide& side = sides()[s];
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
-      const double heat = rows_.shear(*view.trial, row).dissipated - rows_.shear(*view.committed, row).dissipated;
-      const double* const share = &rule(side).corner(row - first_row_[s], 0);
-      for (int a = 0; a < num_corners(side.shape); ++a) f.add(dofs(side.node[a]), -share[a] * (heat / view.dt));
-    }
-  }
-}
-
 PenaltyContact::Load PenaltyContact::load_on_soil(const State& state) const {
   Load sum;
   for (int row = 0; row < rows(); ++row) {

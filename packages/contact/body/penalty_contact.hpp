@@ -40,7 +40,6 @@ class PenaltyContact : public PointContact {
   void begin(const StepView& view) override;
   bool asks_for_prediction() const override { return laws_.friction() != nullptr && body_->active(); }
   int residual(const StepView& view, const ResidualView& f) override;
-  void correction(const StepView& view, const ResidualView& f) override;
   std::string hint(const StepView& view) const override;
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
@@ -56,8 +55,6 @@ class PenaltyContact : public PointContact {
   struct Load {
     Point force{}, moment{};
   };
-  /// The heat of friction goes into the soil: the body takes none. Without derivatives, for it changes forces slowly.
-  void add_heat(const StepView& view, const ResidualView& f) const;
   void check_enforcement(const Section& section) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
   /// Collective.

@@ -40,6 +40,7 @@ class RigidTarget : public Target {
             const ConstCoordinateView& x, TargetPlace& place) const override;
   void complete(const TargetPlace& place, const Point& at, const ConstCoordinateView& x,
                 ContactPoint& point) const override;
+  std::vector<VertexShare> vertices(const double*) const override { return {}; }
   ContactPoint act(const PointInStep& point, const TargetPlace& place, SideAction& to) const override;
   int old_piece(const double*) const override { return 0; }
   void old_forces(const double* columns, const Point& force, double* on_target) const override;

@@ -172,6 +172,7 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
       }
       if (pair->row < 0) continue;
       add(side_force.sums, sums);
+      if (side_force.sums.heat > 0 && temperature_ >= 0 && view.flow) add_heat(view, *pair, side_force);
       const double cancelled = side_law.penalty * side_force.sums.area * farthest(now.slave);
       for (int a = 0; a < 4 * nodes_; ++a) {
         f.add(dofs_.dofs()(pair->row, a), -side_force.f[a]);
@@ -187,6 +188,15 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
   view.trial->arrays[heat_](0, 0) = heat;
   view.trial->arrays[heat_](0, 1) = damped;
   return failures;
+}
+
+void PairContact::add_heat(const StepView& view, const Pair& pair, const PairForce& force) {
+  const auto& dofs = context_.space.node_dof(temperature_);
+  for (int a = 0; a < side_multipliers; ++a) {
+    correction_.emplace_back(dofs(slave_->sides()[pair.slave].node[a]), deck_.heat_share * force.heat[0][a] / view.dt);
+    correction_.emplace_back(dofs(master_->sides()[pair.master].node[a]),
+                             (1 - deck_.heat_share) * force.heat[1][a] / view.dt);
+  }
 }
 
 void PairContact::correction(const StepView&, const ResidualView& f) {
@@ -221,10 +231,12 @@ void PairContact::check(const Section& section) {
   const Space& space = context_.space;
   const Mesh& mesh = space.mesh();
   displacement_ = space.find("displacement");
+  temperature_ = space.find("temperature");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
   check_two_sets(mesh, 2, section, deck_.slave, deck_.master);
   deck_.check(section);
-  read_laws_of_two(context_, section, laws_);
+  laws_.read(context_, section);
+  check_heat_share(context_, section, laws_);
   laws_.check_two_surfaces(section);
   laws_.check_linear(section, deck_.augmented(), false);
   if (laws_.friction() && laws_.friction()->reads_slip())

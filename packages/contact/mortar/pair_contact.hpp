@@ -77,6 +77,8 @@ class PairContact : public Contact {
   /// Mass matrix of the multipliers' shapes on a slave side [m].
   Mat<double, side_multipliers> mass(int slave, const ConstCoordinateView& x) const;
   void write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const;
+  /// Adds the heat of friction between two sides to correction_.
+  void add_heat(const StepView& view, const Pair& pair, const PairForce& force);
   Misfit misfit(const State& state) const;
   std::vector<double> nodal_mean(const State& state, int column) const;
 
@@ -84,10 +86,10 @@ class PairContact : public Contact {
   PairParameters deck_;
   ContactLaws laws_;
   std::string name_;
-  int displacement_ = -1;
+  int displacement_ = -1, temperature_ = -1;  // fields
   bool beyond_reach_ = false;  // surfaces met in this step for which the matrix has no entries
   bool predicting_ = false;
-  std::vector<std::pair<int, double>> correction_;  // (dof, damping) of the last residual call
+  std::vector<std::pair<int, double>> correction_;  // (dof, damping or rate of heat) of the last residual call
   std::unique_ptr<ContactSurface> slave_;
   std::unique_ptr<MasterSurface> master_;
   std::vector<Pair> pairs_;  // of this step, ordered by slave side

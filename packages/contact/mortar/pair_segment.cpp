@@ -212,7 +212,8 @@ void act(const Sides<T>& sides, const SegmentPoint<T>& point, const Vec<T, 2>& f
 
 template <class T>
 void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const ContactMotion<T>& motion,
-            const ContactResponse<T>& now, PairSums& sums) {
+            const ContactResponse<T>& now, PairForce& out) {
+  PairSums& sums = out.sums;
   const double weight = value(point.length);
   sums.damped += now.damping_heat;
   if (!now.presses) return;
@@ -225,6 +226,9 @@ void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const ContactMotio
   }
   sums.area += value(motion.area);
   sums.heat += now.heat;
+  const double along[2] = {value(point.xi), value(point.projection.eta)};
+  for (int side = 0; side < 2; ++side)
+    for (int a = 0; a < side_multipliers; ++a) out.heat[side][a] += now.heat * 0.5 * (1 + (2 * a - 1) * along[side]);
   sums.deepest = std::min(sums.deepest, value(point.projection.gap));
   if (now.slides) sums.sliding += weight;
 }
@@ -264,7 +268,7 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     if (now.presses)
       act(sides, point, (projection.normal * now.pressure + projection.along * now.shear) * motion.area, forces.end);
     if (law.viscous > 0) act(sides, point, projection.normal * now.damping, forces.more);
-    sum_up(law, point, motion, now, sums);
+    sum_up(law, point, motion, now, out);
   }
   forces.write(T(1.0), 1 / (1 - law.start_weight), out.f, out.damping, out.k);
   return seen;

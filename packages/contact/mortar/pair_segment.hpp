@@ -37,7 +37,7 @@ struct PairSums {
          stretch[side_multipliers] = {};  // [N/m]; of shear less multiplier, where it sticks
   double sliding = 0;                     // length that slides [m]
   double area = 0;                        // pressing area [m2], with the circumference
-  double heat = 0;                        // [J] of this step
+  double heat = 0;                        // [J] of friction in this step
   double damped = 0;                      // [J] heat of damping in this step
   double deepest = 0;                     // least gap of the points that press [m]
   double closest = 0;                     // least gap [m]
@@ -48,6 +48,7 @@ struct PairForce {
   double f[pair_dofs];             // at the end of the step
   double damping[pair_dofs];       // what damping adds to the mean over the step
   double k[pair_dofs][pair_dofs];  // of f + damping / (1 - start_weight)
+  double heat[2][side_multipliers];  // [J] of friction in this step: spread over the slave's corners, the master's
   PairSums sums;
 };
 

@@ -1,10 +1,11 @@
-"""Heat in saturated soil: a point source, a heated surface, a front in a flow, and the balance of heat while the mesh moves."""
+"""Heat in saturated soil: a point source, a heated surface, a front in a flow, heat of friction, and the balance of heat while the
+mesh moves."""
 import os
 import unittest
 
 import numpy as np
 
-from mudline_case import ROOT, MudlineCase
+from mudline_case import ROOT, MudlineCase, deck_text
 from references import heat
 
 TIMES = np.array([1e5, 1e6, 1e7])
@@ -127,6 +128,71 @@ class Heat(MudlineCase):
         self.assertGreater(history["time"][-1], 0.02)
         self.assertGreater(np.abs(moved).max(), 0)
         self.assertLess(np.abs(moved).max(), 1e-6 * 2.7e9)  # of the heat in the ground, in joules
+
+
+RUBBED = '''
+For b In {0:1}
+  p = newp; c = newc;
+  Point(p) = {0, b, 0}; Point(p+1) = {1, b, 0}; Point(p+2) = {1, b+1, 0}; Point(p+3) = {0, b+1, 0};
+  Line(c) = {p, p+1}; Line(c+1) = {p+1, p+2}; Line(c+2) = {p+2, p+3}; Line(c+3) = {p+3, p};
+  l = newll; Curve Loop(l) = {c:c+3};
+  s~{b} = news; Plane Surface(s~{b}) = {l};
+  Transfinite Curve {c:c+3} = 5;
+  Transfinite Surface {s~{b}}; Recombine Surface {s~{b}};
+  bottom~{b} = c; top~{b} = c+2;
+EndFor
+Physical Surface("lower") = {s_0}; Physical Surface("upper") = {s_1};
+Physical Curve("base") = {bottom_0}; Physical Curve("face") = {top_0};
+Physical Curve("under") = {bottom_1}; Physical Curve("top") = {top_1};
+'''
+
+
+class RubbedBlocks(MudlineCase):
+    """A block is pressed on another one and dragged over it: the heat of friction warms both, the slave by its share. The blocks are
+    alike and insulated, and water hardly moves, so that the temperatures that rise beside the interface are as the shares."""
+
+    def rub(self, share, contact, thickness=None, ranks=1):
+        self.write("blocks.geo", RUBBED)
+        mesh = {"type": "gmsh", "file": "blocks.geo", "order": 2}
+        material = {"porosity": 0.4, "skeleton": {"type": "linear elastic", "Young's modulus": 1e9, "Poisson's ratio": 0.0},
+                    "fluid": {"type": "water", "incompressible": True, "unit weight": 1e4},
+                    "permeability": {"type": "constant", "hydraulic conductivity": 1e-3},
+                    "heat": {"conductivity": 2.0, "grain heat capacity": 800.0}}
+        moves, places = {"x": "1e-3*t", "y": "-1e-5*min(1,8*t)"}, ([0.5, 1.25], [0.5, 0.75])
+        if thickness:
+            mesh = {"type": "extruded", "geometry": "three-dimensional", "along": "y", "length": thickness, "layers": 1, "plane": mesh}
+            moves, places = {"x": moves["x"], "y": "0", "z": moves["y"]}, [[x, 0.0, z] for x, z in places]
+        history = self.run_deck(self.write("rub.xml", deck_text("rub", {
+            "mesh": mesh,
+            "materials": {name: {"regions": [name], **material} for name in ("lower", "upper")},
+            "physics": {"ground": {"type": "thermo-hydro-mechanical", "water expansion": 0.0}},
+            "boundary conditions": {
+                "base": {"type": "fixed", "set": "base"}, "moves": {"type": "displacement", "set": "top", **moves},
+                **{f"drained {name}": {"type": "pore pressure", "set": name} for name in ("base", "face", "under", "top")}},
+            "contacts": {"face": {"slave": "under", "master": "face", "slave heat share": share,
+                                  "friction": {"type": "coulomb", "coefficient": 0.5, "on": "total"}, **contact}},
+            "stages": {"rub": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.125}}},
+            "output": {"probes": dict(zip(("in slave", "in master"), places))}})), ranks=ranks)
+        made = history["contact/face/friction heat"][-1]
+        # strain 5e-6 in both blocks: 5 kPa press, half of it rubs along 1 mm but for what sticks at first
+        self.assert_near("heat made", made, 0.5 * 5e3 * (thickness or 1) * 1e-3, 0.05)
+        self.assert_near("heat held", history["balance/heat/change"][-1], made, 1e-4)
+        warmer = [history[f"probe/in {body}/temperature"][-1] - 20 for body in ("slave", "master")]
+        self.assertGreater(abs(warmer[0]), 1e-9)
+        self.assert_near("share of the slave", warmer[0] / sum(warmer), share, 1e-4)
+
+    def assert_near(self, what, value, exact, tolerance):
+        self.assert_error(what, abs(value - exact) / abs(exact), tolerance)
+
+    def test_nodes(self):
+        self.rub(0.5, {"type": "node to segment", "drainage": "drained"})
+        self.rub(0.25, {"type": "node to segment", "drainage": "drained"}, ranks=2)
+
+    def test_mortar(self):
+        self.rub(0.25, {"type": "mortar"})
+
+    def test_faces(self):
+        self.rub(0.25, {"type": "point to face", "drainage": "drained"}, thickness=0.25)
 
 
 if __name__ == "__main__":
