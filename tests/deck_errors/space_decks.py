@@ -212,6 +212,7 @@ DECKS = [
               at=parameter("closing distance", "double", "0.1")),
     with_pair("closing distance of a pair", parameter("closing distance", "double", "0.1"),
               "contacts/face/closing distance: has a meaning only with 'initial gap' = closed or in-situ stress; here it is as placed"),
+    with_pair("heat share without heat", parameter("slave heat share", "double", "0.5"), "contacts/face/slave heat share: has a meaning only with 'friction', which makes the heat"),
     with_pair("conductance of a pair", parameter("conductance", "double", "1e-9"), "contacts/face/conductance: has a meaning only with 'drainage' = leaky"),
     with_pair("pair of too high a degree", parameter("quadrature degree", "int", "9"), "contacts/face/quadrature degree: 9 is out of range; allowed: [1, 8]"),
     with_pair("pair without a master", parameter("mster", "string", "bottom"), "contacts/face/mster: unknown parameter (did you mean 'master'?)"),

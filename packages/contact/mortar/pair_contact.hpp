@@ -87,7 +87,7 @@ class PairContact : public Contact {
   ContactLaws laws_;
   std::string name_;
   int displacement_ = -1, temperature_ = -1;  // fields
-  bool beyond_reach_ = false;  // surfaces met in this step for which the matrix has no entries
+  bool beyond_reach_ = false;                 // surfaces met in this step for which the matrix has no entries
   bool predicting_ = false;
   std::vector<std::pair<int, double>> correction_;  // (dof, damping or rate of heat) of the last residual call
   std::unique_ptr<ContactSurface> slave_;

@@ -45,9 +45,9 @@ struct PairSums {
 
 /// Forces [N] on the nodes of both sides, and their derivatives [N/m].
 struct PairForce {
-  double f[pair_dofs];             // at the end of the step
-  double damping[pair_dofs];       // what damping adds to the mean over the step
-  double k[pair_dofs][pair_dofs];  // of f + damping / (1 - start_weight)
+  double f[pair_dofs];               // at the end of the step
+  double damping[pair_dofs];         // what damping adds to the mean over the step
+  double k[pair_dofs][pair_dofs];    // of f + damping / (1 - start_weight)
   double heat[2][side_multipliers];  // [J] of friction in this step: spread over the slave's corners, the master's
   PairSums sums;
 };
