@@ -3,10 +3,13 @@
 # benchmarks/ holds timed figures, with a CMakeLists.txt: programs to run by hand (docs/benchmarks), never tests.
 #
 #   mudline_package(materials SOURCES a.cpp b.cpp DEPENDS core tensor PRECOMPILED light
-#                   [PRIVATE mudline::metis ...] [KERNELS] [GMSH_TESTS])
+#                   [ALONE heavy.cpp ...] [PRIVATE mudline::metis ...] [KERNELS] [GMSH_TESTS])
 #
 # DEPENDS are packages (the include arrows); PRIVATE are third-party targets; the tests of GMSH_TESTS use Gmsh where
 # MUDLINE_HAVE_GMSH is defined.
+# The presets release, avx2 and ci compile eight sources as one (CMAKE_UNITY_BUILD), which halves the time for reading
+# headers and templates; ALONE are heavy sources, which are compiled by themselves. Names in the unnamed namespaces of a
+# package must therefore differ. Tests are compiled one by one.
 # PRECOMPILED names the precompiled headers of the package and its tests (mudline_precompiled below). KERNELS: the
 # package has the loops in which a run spends its time. A release optimises them most (-O3), other packages less (-O2)
 # and tests least (-O1), which takes a third off the time that tests compile. The numbers are the same.
@@ -58,14 +61,15 @@ mudline_precompiled(framework <Teuchos_CommHelpers.hpp> <framework/term.hpp>)
 mudline_precompiled(simulation <Teuchos_CommHelpers.hpp> <simulation/model.hpp>)
 
 function(mudline_package name)
-  cmake_parse_arguments(arg "KERNELS;GMSH_TESTS" "PRECOMPILED" "SOURCES;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
-  add_library(mudline_${name} STATIC ${arg_SOURCES})
+  cmake_parse_arguments(arg "KERNELS;GMSH_TESTS" "PRECOMPILED" "SOURCES;ALONE;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  add_library(mudline_${name} STATIC ${arg_SOURCES} ${arg_ALONE})
   add_library(mudline::${name} ALIAS mudline_${name})
   set_target_properties(mudline_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
   target_include_directories(mudline_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/packages> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mudline>)
   target_link_libraries(mudline_${name} PUBLIC mudline_flags)
   target_precompile_headers(mudline_${name} REUSE_FROM mudline_precompiled_${arg_PRECOMPILED})
+  set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(NOT arg_KERNELS)
     target_compile_options(mudline_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
   endif()
@@ -101,6 +105,7 @@ function(mudline_package_tests name precompiled gmsh)
     target_link_libraries(${target} PRIVATE mudline_${name} mudline::trilinos GTest::gtest)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -fPIC)  # -fPIC as the package, whose precompiled headers serve here too
     target_precompile_headers(${target} REUSE_FROM mudline_precompiled_${precompiled})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
     target_compile_definitions(${target} PRIVATE MUDLINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     if(MUDLINE_GMSH AND gmsh)
       target_sources(${target} PRIVATE $<TARGET_OBJECTS:mudline_gmsh_objects>)

@@ -152,7 +152,7 @@ std::vector<double> shares_of(const BlockPoints& at, const Soil& soil, int origi
 }
 
 /// Contents of this rank's points: by (row, material of the block).
-struct Held {
+struct HeldGrains {
   std::vector<double> shares;    // [-]
   std::vector<double> soil;      // [m3]
   std::vector<double> grains;    // [m3]
@@ -160,7 +160,7 @@ struct Held {
   std::vector<PointPart> parts;  // (row)
 
   /// `ratios`: empty where there is one material.
-  Held(const BlockPoints& at, const Soil& soil_of, int void_ratio, int origin, const std::vector<double>& table,
+  HeldGrains(const BlockPoints& at, const Soil& soil_of, int void_ratio, int origin, const std::vector<double>& table,
        int columns, const std::vector<double>& ratios)
       : shares(shares_of(at, soil_of, origin, table, columns)) {
     const auto& [mesh, block, x] = at;
@@ -203,7 +203,7 @@ std::vector<double> solve_small(const std::vector<double>& A, const std::vector<
 
 /// Adds `missing` grains to the materials of a block: the dry density of a point changes by its weight times one factor
 /// for each material. Entries of `missing` for which no point has weight are set to 0.
-void add_grains(const PointTransfer& t, int void_ratio, const Held& held, const std::vector<double>& weights,
+void add_grains(const PointTransfer& t, int void_ratio, const HeldGrains& held, const std::vector<double>& weights,
                 std::vector<double>& missing) {
   const std::size_t count = missing.size();
   const std::vector<double>& shares = held.shares;
@@ -231,7 +231,7 @@ void add_grains(const PointTransfer& t, int void_ratio, const Held& held, const 
 std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int void_ratio, int origin,
                                    const LayerRatios& ratios) {
   const std::size_t count = t.after.block.made_of.size();
-  const Held was(t.before, soil, void_ratio, origin, t.old, t.columns, ratios.before),
+  const HeldGrains was(t.before, soil, void_ratio, origin, t.old, t.columns, ratios.before),
       is(t.after, soil, void_ratio, origin, t.now, t.columns, ratios.after);
   // Differences are taken row by row where the rows are the same: a difference of sums would lose digits.
   const auto lost_of = [&](const std::vector<double>& had, const std::vector<double>& has, std::size_t material) {

@@ -23,9 +23,6 @@ Point face_point(const SurfaceFace& face, const FacePlace& place, const Position
 /// Outward normal, whose length is the area per reference area [m2].
 Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positions& x);
 
-/// Unit vector along a; the zero vector stays zero.
-inline Point unit(const Point& a) { return 1 / std::max(length(a), 1e-300) * a; }
-
 /// Place of a mid-side node, moved back along the normal until it bulges by no more than a tenth of the edge [m] from
 /// the centre of its ends: an edge across a sharp ridge of the surface, as the lip beside a body, would fold the
 /// element behind it.

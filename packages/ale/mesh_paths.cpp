@@ -7,7 +7,7 @@ namespace mudline {
 
 namespace {
 
-struct Edge {
+struct PathSide {
   int from, to, middle;  // middle -1: straight
   std::set<std::string> sets;
   bool outer;
@@ -15,8 +15,8 @@ struct Edge {
 };
 
 /// Sides on the outer boundary and between regions; an outer side keeps the direction of its element.
-std::vector<Edge> feature_edges(const GhostedMesh& mesh) {
-  std::vector<Edge> edges;
+std::vector<PathSide> feature_edges(const GhostedMesh& mesh) {
+  std::vector<PathSide> edges;
   for (const auto& side : mesh.boundary())
     if (side.first)
       edges.push_back(
@@ -71,7 +71,7 @@ class Splitter {
   MeshPath follow(int start, int edge) {
     MeshPath path{{start}, edges_[edge].middle >= 0 ? 2 : 1, edges_[edge].sets, edges_[edge].outer};
     for (int node = start;;) {
-      Edge& here = edges_[edge];
+      PathSide& here = edges_[edge];
       here.used = true;
       if (here.middle >= 0) path.nodes.push_back(here.middle);
       const int next = other_end(edge, node);
@@ -84,7 +84,7 @@ class Splitter {
   }
 
   const Positions& x_;
-  std::vector<Edge> edges_;
+  std::vector<PathSide> edges_;
   std::map<int, std::vector<int>> at_;
   std::set<int> ends_;
   const std::function<bool(int)>& on_body_;

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-struct Edge {
+struct SurfaceEdge {
   int a, b, middle;                       // middle -1: straight
   std::vector<std::array<int, 2>> faces;  // (face, its edge)
   bool feature = false, used = false;
@@ -26,7 +26,7 @@ class SurfaceSplitter {
       : x_(source), corners_(corners), angle_(corner_angle), on_body_(on_body) {
     faces_ = std::move(faces);
     find_edges();
-    for (Edge& edge : edges_) edge.feature = divides(edge);
+    for (SurfaceEdge& edge : edges_) edge.feature = divides(edge);
     for (std::size_t e = 0; e < edges_.size(); ++e)
       if (edges_[e].feature)
         for (int node : {edges_[e].a, edges_[e].b}) at_[node].push_back(static_cast<int>(e));
@@ -62,7 +62,7 @@ class SurfaceSplitter {
     return face_normal(face, {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}, x_);
   }
 
-  bool divides(const Edge& edge) const {
+  bool divides(const SurfaceEdge& edge) const {
     if (edge.faces.size() != 2) return true;
     const SurfaceFace &one = faces_[edge.faces[0][0]], &other = faces_[edge.faces[1][0]];
     if (one.sets != other.sets || one.outer != other.outer) return true;
@@ -73,7 +73,7 @@ class SurfaceSplitter {
 
   void collect_patches() {
     std::vector<std::vector<int>> beside(faces_.size());
-    for (const Edge& edge : edges_)
+    for (const SurfaceEdge& edge : edges_)
       if (!edge.feature)
         for (int side = 0; side < 2; ++side) beside[edge.faces[side][0]].push_back(edge.faces[1 - side][0]);
     int patches = 0;
@@ -126,7 +126,7 @@ class SurfaceSplitter {
   void follow(int start, int edge, const std::set<int>& ends) {
     MeshPath path{{start}, edges_[edge].middle >= 0 ? 2 : 1, {}, true};
     for (int node = start;;) {
-      Edge& here = edges_[edge];
+      SurfaceEdge& here = edges_[edge];
       here.used = true;
       for (const auto& [f, k] : here.faces) {
         const SurfaceFace& face = faces_[f];
@@ -149,7 +149,7 @@ class SurfaceSplitter {
   const std::function<bool(int)>& on_body_;
   std::vector<SurfaceFace> faces_;
   std::vector<MeshPath> curves_;
-  std::vector<Edge> edges_;
+  std::vector<SurfaceEdge> edges_;
   std::map<int, std::vector<int>> at_;  // feature edges at a vertex
 };
 

@@ -9,7 +9,7 @@ namespace mudline {
 
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double flatness = 1e-9;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ SharedCoordinates::SharedCoordinates(const Positions& places) {
     extent = std::max(extent, length(place - value));
     for (int d = 0; d < 3; ++d) beside[d] = std::max(beside[d], std::abs(place[d] - value[d]));
   }
-  for (int d = 0; d < 3; ++d) shared[d] = beside[d] < rounding * extent;
+  for (int d = 0; d < 3; ++d) shared[d] = beside[d] < flatness * extent;
 }
 
 Point SharedCoordinates::kept(Point at) const {
@@ -45,7 +45,7 @@ PatchPlane::PatchPlane(const MeshSurfaces& surfaces, int patch, const Positions&
     extent = std::max(extent, length(from));
     off = std::max(off, std::abs(dot(from, normal)));
   }
-  flat = off < rounding * extent;
+  flat = off < flatness * extent;
   of_all = SharedCoordinates(places);
 }
 

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-constexpr int parts_of_a_stage = 200;
+constexpr int parts_of_path = 200;
 
 double distance(const PlanePoint& a, const PlanePoint& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
@@ -37,9 +37,9 @@ void BodyPath::follow(const Model& model) {
     if (motion && motion->released()) free_time_ += stage->duration;
     if (motion != before) now.moving_time = 0;
     before = motion;
-    const double dt = stage->duration / parts_of_a_stage;
+    const double dt = stage->duration / parts_of_path;
     if (motion && !release_ && dt > 0)
-      for (int i = 0; i < parts_of_a_stage; ++i) {
+      for (int i = 0; i < parts_of_path; ++i) {
         now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
         places_.push_back({time + (i + 1) * dt, in_plane(now.displacement)});
       }

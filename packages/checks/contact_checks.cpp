@@ -145,7 +145,7 @@ void sealing(const ContactSetup& of, const Judge& judge) {
   judge_given(of, of.entry, "sealing gap", "it is a share of a side, no length", judge);
 }
 
-void damping(const ContactSetup& of, const Judge& judge) {
+void contact_damping(const ContactSetup& of, const Judge& judge) {
   const double value = number_in(of.entry, "damping", 0);
   if (value > 0)
     judge(value, of.called() + ": its 'damping'", "it is a time per length: the pressure grows by it times the speed");
@@ -178,7 +178,7 @@ std::vector<Check<ContactSetup>> contact_checks() {
       {{"advance limit", "-", {0.01, 4}, "of a contact, in sides"}, advance},
       {{"gap tolerance", "-", {0, 0.01}, "of a contact over the mean side"}, gap_tolerance},
       {{"sealing gap", "-", {0, 2}, "of a contact, in sides"}, sealing},
-      {{"contact damping", "s/m", {0, 10}, "of a contact"}, damping},
+      {{"contact damping", "s/m", {0, 10}, "of a contact"}, contact_damping},
   };
 }
 

@@ -7,7 +7,7 @@ namespace mudline {
 namespace {
 
 /// Columns of a point.
-namespace column {
+namespace place_column {
 enum : int { piece, at, normal = at + 2 };
 }
 
@@ -46,7 +46,7 @@ struct SurfaceSeen {
       motion.travel = -1.0 * dot(along, apart);
       motion.shear_old = T(point.old.shear.shear[0]);
     } else {
-      const double* const from = point.old_columns + column::normal;
+      const double* const from = point.old_columns + place_column::normal;
       motion.travel = normal * dot(normal, apart) - apart;
       motion.shear_old = transported(constant<T, 3>(point.old.shear.shear), constant<T, 3>(from), normal);
     }
@@ -125,16 +125,16 @@ std::vector<StateVariable> DeformableTarget::columns() const {
 }
 
 void DeformableTarget::write(const TargetPlace& place, const ContactPoint& point, double* columns) const {
-  columns[column::piece] = place.piece;
-  std::copy_n(place.at, axes_ - 1, columns + column::at);
-  if (axes_ == 3) std::copy_n(point.normal.data(), 3, columns + column::normal);
+  columns[place_column::piece] = place.piece;
+  std::copy_n(place.at, axes_ - 1, columns + place_column::at);
+  if (axes_ == 3) std::copy_n(point.normal.data(), 3, columns + place_column::normal);
 }
 
 std::vector<VertexShare> DeformableTarget::vertices(const double* columns) const {
   const int piece = old_piece(columns);
   if (piece < 0) return {};
   double weight[max_target_nodes];
-  weights(piece, columns + column::at, weight);
+  weights(piece, columns + place_column::at, weight);
   const TargetNodes of_piece = nodes(piece);
   std::vector<VertexShare> result;
   for (int a = 0; a < of_piece.count; ++a) {
@@ -151,7 +151,7 @@ ContactPoint DeformableTarget::act(const PointInStep& point, const TargetPlace& 
 void DeformableTarget::old_forces(const double* columns, const Point& force, double* on_target) const {
   double weight[max_target_nodes];
   const int piece = old_piece(columns);
-  weights(piece, columns + column::at, weight);
+  weights(piece, columns + place_column::at, weight);
   for (int a = 0; a < nodes(piece).count; ++a)
     for (int i = 0; i < axes_; ++i) on_target[axes_ * a + i] = -weight[a] * force[i];
 }

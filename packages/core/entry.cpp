@@ -13,14 +13,14 @@ namespace mudline {
 
 namespace {
 
-std::string text_of(double value) { return number_text(value); }
-std::string text_of(int value) { return std::to_string(value); }
-std::string text_of(const std::string& value) { return value; }
+std::string item_text(double value) { return number_text(value); }
+std::string item_text(int value) { return std::to_string(value); }
+std::string item_text(const std::string& value) { return value; }
 
 template <class T>
 std::string array_text(const Teuchos::ParameterEntry& entry) {
   std::vector<std::string> items;
-  for (const T& item : Teuchos::any_cast<Teuchos::Array<T>>(entry.getAny(false))) items.push_back(text_of(item));
+  for (const T& item : Teuchos::any_cast<Teuchos::Array<T>>(entry.getAny(false))) items.push_back(item_text(item));
   return "{" + join(items) + "}";
 }
 

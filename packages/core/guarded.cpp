@@ -25,7 +25,7 @@ double gibibytes(const char* file, const std::string& name) {
   return 0;
 }
 
-std::string text_of(double value) {
+std::string gibibytes_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g GiB", value);
   return text;
@@ -43,11 +43,11 @@ bool tells_of_memory(const std::string& line) {
 std::string memory_exhausted() {
   std::string text = "not enough memory for this model";
   const double held = gibibytes("/proc/self/status", "VmHWM"), all = gibibytes("/proc/meminfo", "MemTotal");
-  if (held > 0) text += ": this process held up to " + text_of(held) + " and asked for more";
-  if (all > 0) text += "; the machine has " + text_of(all);
+  if (held > 0) text += ": this process held up to " + gibibytes_text(held) + " and asked for more";
+  if (all > 0) text += "; the machine has " + gibibytes_text(all);
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    text += ", and `ulimit -v` allows " + text_of(static_cast<double>(limit.rlim_cur) / (1 << 30));
+    text += ", and `ulimit -v` allows " + gibibytes_text(static_cast<double>(limit.rlim_cur) / (1 << 30));
   return text + "; a coarser mesh or more ranks on more machines need less of each";
 }
 

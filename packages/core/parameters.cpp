@@ -25,7 +25,7 @@ using Fault = InputError;
 }
 
 template <class T>
-const T& value_of(const Teuchos::ParameterEntry& entry) {
+const T& used_value(const Teuchos::ParameterEntry& entry) {
   return Teuchos::getValue<T>(entry);
 }
 
@@ -36,9 +36,9 @@ void check_range(double value, const std::string& text, const Range& range) {
 
 void convert(const Teuchos::ParameterEntry& entry, const Range& range, double& member) {
   if (entry.isType<int>()) {
-    member = value_of<int>(entry);
+    member = used_value<int>(entry);
   } else if (entry.isType<double>()) {
-    member = value_of<double>(entry);
+    member = used_value<double>(entry);
   } else {
     mismatch("a number (double)", entry);
   }
@@ -47,26 +47,26 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& range, double& m
 
 void convert(const Teuchos::ParameterEntry& entry, const Range& range, int& member) {
   if (!entry.isType<int>()) mismatch("an integer (int)", entry);
-  member = value_of<int>(entry);
+  member = used_value<int>(entry);
   check_range(member, std::to_string(member), range);
 }
 
 void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, bool& member) {
   if (!entry.isType<bool>()) mismatch("true or false (bool)", entry);
-  member = value_of<bool>(entry);
+  member = used_value<bool>(entry);
 }
 
 void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, std::string& member) {
   if (!entry.isType<std::string>()) mismatch("a string", entry);
-  member = value_of<std::string>(entry);
+  member = used_value<std::string>(entry);
 }
 
 void convert(const Teuchos::ParameterEntry& entry, const Range& range, std::vector<double>& member) {
   if (entry.isType<Teuchos::Array<int>>()) {
-    const auto& values = value_of<Teuchos::Array<int>>(entry);
+    const auto& values = used_value<Teuchos::Array<int>>(entry);
     member.assign(values.begin(), values.end());
   } else if (entry.isType<Teuchos::Array<double>>()) {
-    member = value_of<Teuchos::Array<double>>(entry).toVector();
+    member = used_value<Teuchos::Array<double>>(entry).toVector();
   } else {
     mismatch("an array of numbers (Array(double))", entry);
   }
@@ -76,7 +76,7 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& range, std::vect
 
 void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, std::vector<std::string>& member) {
   if (entry.isType<Teuchos::Array<std::string>>()) {
-    member = value_of<Teuchos::Array<std::string>>(entry).toVector();
+    member = used_value<Teuchos::Array<std::string>>(entry).toVector();
   } else if (entry_text(entry) == "{}") {
     member.clear();  // --set reads "{}" as an array of integers
   } else {
@@ -93,7 +93,7 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& range, Vec<doubl
 
 /// Unlike other conversions, this one needs the deck's library, for names of functions and for expressions.
 Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibrary& library) {
-  if (entry.isType<std::string>()) return library.resolve(value_of<std::string>(entry));
+  if (entry.isType<std::string>()) return library.resolve(used_value<std::string>(entry));
   if (!entry.isType<double>() && !entry.isType<int>())
     mismatch("a number, an expression or the name of a function", entry);
   double constant = 0.0;

@@ -39,8 +39,6 @@ double extent(const std::vector<PlanePoint>& hull, const PlanePoint& along) {
   return high - low;
 }
 
-Point unit(const Point& x) { return 1 / length(x) * x; }
-
 }  // namespace
 
 Shadow shadow_in_space(const std::vector<Point>& points, const Point& direction) {

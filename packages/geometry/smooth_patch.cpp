@@ -41,8 +41,6 @@ void add(const Jet& weight, double factor, const Point& x, PatchPoint& sum) {
   sum.dbb += factor * weight.bb * x;
 }
 
-Point unit(const Point& a) { return 1 / length(a) * a; }
-
 /// A quadratic function of (a, b): its gradient and its matrix at a point of the triangle.
 struct Quadratic {
   double ga, gb, aa, ab, bb;

@@ -49,14 +49,19 @@ void catch_signals() {
 
 Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettings& settings, const Origin& origin,
          const RunOptions& options, Observers watchers)
-    : make_model_(std::move(make_model)), settings_(settings), origin_(origin), options_(options) {
+    : make_model_(std::move(make_model)),
+      settings_(settings),
+      origin_(origin),
+      options_(options),
+      checkpoint_(stem_, origin_, options.accept_changes) {
   make_observers(std::move(watchers));
   take_model(std::move(model));
   std::filesystem::create_directories(settings_.folder);
   lock_ = std::make_unique<ResultLock>(model_->mesh().comm(), settings_.stem());
   if (options_.restart) {
-    load_checkpoint();
-    restore_results();
+    if (const auto remeshed = checkpoint_.open(model_->mesh())) take_model(make_model_(remeshed));
+    checkpoint_.read(*model_, *pressure_, progress_);
+    checkpoint_.resume(model_->store().committed().time, *history_, *fields_);
     return;
   }
   make_room(model_->mesh().comm(), settings_.stem(), origin_, options_.overwrite);
@@ -154,7 +159,7 @@ bool Run::begin_stage(const Stage& stage) {
   model_->activate(stage, fresh);
   if (!fresh) {
     count_increment(0);
-    restore_solver();
+    checkpoint_.restore_solver(model_->stepper());
     report_ = report_of_contacts(*model_);
     tell(&Observer::begin_stage, true);
     return true;
@@ -340,6 +345,8 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   tell_step(report);
   if (settings_.checkpoint_steps > 0 && progress_.step % settings_.checkpoint_steps == 0) save_checkpoint();
 }
+
+void Run::save_checkpoint() { checkpoint_.write(*model_, *pressure_, progress_, *history_, *fields_); }
 
 void Run::end(RunEnd how) {
   const RunView now = view();

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "simulation/balances.hpp"
+#include "simulation/checkpoint.hpp"
 #include "simulation/error_output.hpp"
 #include "simulation/excess_pressure.hpp"
 #include "simulation/field_output.hpp"
 #include "simulation/history_output.hpp"
 #include "simulation/model.hpp"
 #include "simulation/old_results.hpp"
-#include "simulation/output/checkpoint_file.hpp"
 #include "simulation/output/result_lock.hpp"
 #include "simulation/transfer_log.hpp"
 
@@ -42,13 +42,6 @@ class Run {
   ExitCode execute();
 
  private:
-  /// Progress of the run; together with the committed state it makes a restart exact.
-  struct Progress {
-    int stage = 0, step_in_stage = 0, step = 0;
-    double stage_start = 0, next_dt = 0, last_dt = 0;
-    bool stage_open = false;  // the stage has begun
-    int remesh_tried = 0;     // step after which remeshing was last tried
-  };
   bool begin_stage(const Stage& stage);
   bool run_geostatic(const Stage& stage);
   ExitCode run_stage();
@@ -91,20 +84,6 @@ class Run {
   void save_and_end(RunEnd how);
   bool stop_requested() const;
   void save_checkpoint();
-  /// Throws InputError, on every rank alike, when the checkpoint is missing, damaged, or that of another run.
-  void load_checkpoint();
-  /// Makes the model on the mesh of a checkpoint that has a mesh of its own.
-  void load_mesh(const CheckpointReader& reader);
-  /// Throws InputError for a difference from the checkpoint's model unless the user accepts it; then it warns.
-  void refuse_or_warn(const std::string& difference) const;
-  void check_model(const std::string& old_deck) const;
-  void check_stages(const std::string& old_deck) const;
-  void restore_progress();
-  void restore_arrays();
-  /// Lets the files of the results go on where the checkpoint stands.
-  void restore_results();
-  void restore_solver();
-  std::string checkpoint_path() const { return settings_.stem() + ".restart"; }
 
   std::unique_ptr<Model> model_;
   ModelMaker make_model_;
@@ -121,10 +100,10 @@ class Run {
   HistoryOutput* history_ = nullptr;
   FieldOutput* fields_ = nullptr;
   Progress progress_;
-  CheckpointData checkpoint_;  // checkpoint of the restart
-  LocalError error_;           // estimate for the step last tried
-  Report report_;              // report of the last accepted step
-  StepReport solve_;           // likewise, its iterations
+  Checkpoint checkpoint_;
+  LocalError error_;  // estimate for the step last tried
+  Report report_;     // report of the last accepted step
+  StepReport solve_;  // likewise, its iterations
   int steps_here_ = 0;
   int rejected_ = 0;
   TransferLog transfers_;

@@ -90,6 +90,12 @@ template <class T, int D>
 KOKKOS_INLINE_FUNCTION T length(const Vec<T, D>& a) {
   return square_root(dot(a, a));
 }
+/// Unit vector in the direction of a; zero where a is zero.
+template <int D>
+KOKKOS_INLINE_FUNCTION Vec<double, D> unit(const Vec<double, D>& a) {
+  const double size = length(a);
+  return 1 / (size > 1e-300 ? size : 1e-300) * a;
+}
 
 /// A point or a vector of the deck's space [m]. Plane strain: x, y, 0. Axisymmetric: r, z, 0. In space: x, y, z.
 using Point = Vec<double, 3>;

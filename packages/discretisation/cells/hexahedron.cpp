@@ -4,7 +4,7 @@ namespace mudline {
 
 namespace {
 
-const CellFrame& frame() {
+const CellFrame& hexahedron_frame() {
   static const CellFrame cube{
       3,
       0,
@@ -30,14 +30,14 @@ const CellFrame& frame() {
 }  // namespace
 
 Cell hex8() {
-  Cell cell = frame().linear("hex8", CellShape::hex8, {CellShape::quad4}, evaluate_grid<3>);
+  Cell cell = hexahedron_frame().linear("hex8", CellShape::hex8, {CellShape::quad4}, evaluate_grid<3>);
   cell.xdmf = 9;
   cell.msh_types = {5};
   return cell;
 }
 
 Cell hex27() {
-  Cell cell = frame().quadratic("hex27", CellShape::hex8, {CellShape::quad9}, true, evaluate_grid<3>);
+  Cell cell = hexahedron_frame().quadratic("hex27", CellShape::hex8, {CellShape::quad9}, true, evaluate_grid<3>);
   cell.xdmf = 50;
   cell.msh_types = {12, 17};
   cell.msh_around = {{0, 1},

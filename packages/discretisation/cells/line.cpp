@@ -4,7 +4,7 @@ namespace mudline {
 
 namespace {
 
-const CellFrame& frame() {
+const CellFrame& line_frame() {
   static const CellFrame segment{1, 0, {{-1}, {1}}, {{{0, 1}}}, {}, 1, 1};
   return segment;
 }
@@ -15,7 +15,7 @@ void evaluate(const Cell& own, const double* xi, double* N, double* dN) {
 
 }  // namespace
 
-Cell line2() { return frame().linear("line2", CellShape::line2, {}, evaluate); }
-Cell line3() { return frame().quadratic("line3", CellShape::line2, {}, false, evaluate); }
+Cell line2() { return line_frame().linear("line2", CellShape::line2, {}, evaluate); }
+Cell line3() { return line_frame().quadratic("line3", CellShape::line2, {}, false, evaluate); }
 
 }  // namespace mudline

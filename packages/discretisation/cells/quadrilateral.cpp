@@ -4,7 +4,7 @@ namespace mudline {
 
 namespace {
 
-const CellFrame& frame() {
+const CellFrame& quadrilateral_frame() {
   static const CellFrame square{2,
                                 0,
                                 {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
@@ -16,7 +16,7 @@ const CellFrame& frame() {
 }
 
 /// Serendipity functions. A corner's is the bilinear one less half of those of its two mid-side nodes.
-void evaluate_serendipity(const Cell& own, const double* xi, double* N, double* dN) {
+void evaluate_quad8(const Cell& own, const double* xi, double* N, double* dN) {
   for (int a = 0; a < 8; ++a) {
     const double s = own.nodes[a][0], t = own.nodes[a][1], along[2] = {1 + s * xi[0], 1 + t * xi[1]};
     if (a < 4) {
@@ -36,17 +36,17 @@ void evaluate_serendipity(const Cell& own, const double* xi, double* N, double* 
 }  // namespace
 
 Cell quad4() {
-  Cell cell = frame().linear("quad4", CellShape::quad4, {CellShape::line2}, evaluate_grid<2>);
+  Cell cell = quadrilateral_frame().linear("quad4", CellShape::quad4, {CellShape::line2}, evaluate_grid<2>);
   cell.xdmf = 5;
   cell.msh_types = {3};
   return cell;
 }
 
 // A side only: as a cell of the plane it gets its centre.
-Cell quad8() { return frame().quadratic("quad8", CellShape::quad4, {CellShape::line3}, false, evaluate_serendipity); }
+Cell quad8() { return quadrilateral_frame().quadratic("quad8", CellShape::quad4, {CellShape::line3}, false, evaluate_quad8); }
 
 Cell quad9() {
-  Cell cell = frame().quadratic("quad9", CellShape::quad4, {CellShape::line3}, true, evaluate_grid<2>);
+  Cell cell = quadrilateral_frame().quadratic("quad9", CellShape::quad4, {CellShape::line3}, true, evaluate_grid<2>);
   cell.xdmf = 35;
   cell.msh_types = {10, 16};
   return cell;

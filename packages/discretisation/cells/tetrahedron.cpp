@@ -6,7 +6,7 @@ namespace mudline {
 
 namespace {
 
-const CellFrame& frame() {
+const CellFrame& tetrahedron_frame() {
   static const CellFrame tetrahedron{3,
                                      3,
                                      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
@@ -20,14 +20,14 @@ const CellFrame& frame() {
 }  // namespace
 
 Cell tet4() {
-  Cell cell = frame().linear("tet4", CellShape::tet4, {CellShape::tri3}, evaluate_simplex<3>);
+  Cell cell = tetrahedron_frame().linear("tet4", CellShape::tet4, {CellShape::tri3}, evaluate_simplex<3>);
   cell.xdmf = 6;
   cell.msh_types = {4};
   return cell;
 }
 
 Cell tet10() {
-  Cell cell = frame().quadratic("tet10", CellShape::tet4, {CellShape::tri6}, false, evaluate_simplex<3>);
+  Cell cell = tetrahedron_frame().quadratic("tet10", CellShape::tet4, {CellShape::tri6}, false, evaluate_simplex<3>);
   cell.xdmf = 38;
   cell.msh_types = {11};
   cell.msh_around = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};

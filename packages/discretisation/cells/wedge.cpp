@@ -7,7 +7,7 @@ namespace mudline {
 namespace {
 
 /// A triangle in the first two coordinates, [-1, 1] in the third; three quadrilaterals, then the two triangles.
-const CellFrame& frame() {
+const CellFrame& wedge_frame() {
   static const CellFrame prism{
       3,
       2,
@@ -48,7 +48,7 @@ void evaluate_product(const Cell& own, const double* xi, double* N, double* dN) 
 }
 
 /// Serendipity functions: no nodes in the middle of the quadrilaterals. L: area coordinates of the triangle.
-void evaluate_serendipity(const Cell& own, const double* xi, double* N, double* dN) {
+void evaluate_wedge15(const Cell& own, const double* xi, double* N, double* dN) {
   const double L[3] = {1 - xi[0] - xi[1], xi[0], xi[1]}, z = xi[2], bubble = 1 - z * z;
   static constexpr double dL[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
   for (int a = 0; a < 6; ++a) {  // corners
@@ -76,15 +76,15 @@ void evaluate_serendipity(const Cell& own, const double* xi, double* N, double* 
 }  // namespace
 
 Cell wedge6() {
-  Cell cell = frame().linear("wedge6", CellShape::wedge6, sides(CellShape::quad4, CellShape::tri3), evaluate_product);
+  Cell cell = wedge_frame().linear("wedge6", CellShape::wedge6, sides(CellShape::quad4, CellShape::tri3), evaluate_product);
   cell.xdmf = 8;
   cell.msh_types = {6};
   return cell;
 }
 
 Cell wedge15() {
-  Cell cell = frame().quadratic("wedge15", CellShape::wedge6, sides(CellShape::quad8, CellShape::tri6), false,
-                                evaluate_serendipity);
+  Cell cell = wedge_frame().quadratic("wedge15", CellShape::wedge6, sides(CellShape::quad8, CellShape::tri6), false,
+                                evaluate_wedge15);
   cell.xdmf = 40;
   cell.msh_types = {18};
   cell.msh_around = msh_around();
@@ -92,7 +92,7 @@ Cell wedge15() {
 }
 
 Cell wedge18() {
-  Cell cell = frame().quadratic("wedge18", CellShape::wedge6, sides(CellShape::quad9, CellShape::tri6), false,
+  Cell cell = wedge_frame().quadratic("wedge18", CellShape::wedge6, sides(CellShape::quad9, CellShape::tri6), false,
                                 evaluate_product);
   cell.xdmf = 41;
   cell.msh_types = {13};

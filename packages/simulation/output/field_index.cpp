@@ -15,7 +15,7 @@ namespace mudline {
 namespace {
 
 constexpr const char* format_name = "mudline fields";
-constexpr long long format_version = 2;
+constexpr long long index_version = 2;
 
 /// Reads the outline of a body: "contour" in the plane, "surface" and "triangles" in space.
 SurfaceTriangles read_outline(hid_t body) {
@@ -72,7 +72,7 @@ std::size_t FieldIndex::read(const xdmf::StepMesh* first) {
     throw InputError(path() + ": the result of the first run cannot be opened" + advice);
   }
   if (!h5::has_attribute(file, "format") || h5::text_attribute(file, "format") != format_name ||
-      h5::integer_attribute(file, "format version") != format_version)
+      h5::integer_attribute(file, "format version") != index_version)
     throw InputError(path() + ": not a result of this version of mudline" + advice);
   const long long old_nodes = h5::integer_attribute(file, "nodes"),
                   old_elements = h5::integer_attribute(file, "elements");
@@ -109,7 +109,7 @@ std::string FieldIndex::write() const {
     size.bytes += outline.points.size() * sizeof(Point) + outline.facets.size() * sizeof(outline.facets[0]);
   std::string error = write_whole(MPI_COMM_SELF, path(), size, [this](hid_t file) {
     h5::set_attribute(file, "format", std::string(format_name));
-    h5::set_attribute(file, "format version", format_version);
+    h5::set_attribute(file, "format version", index_version);
     h5::set_attribute(file, "geometry", geometry);
     h5::set_attribute(file, "nodes", model.mesh.nodes);
     h5::set_attribute(file, "elements", model.mesh.elements);

@@ -22,8 +22,8 @@ namespace mudline {
 
 namespace {
 
-constexpr const char* kind = "mudline mesh parts";
-constexpr int format_version = 1;
+constexpr const char* parts_kind = "mudline mesh parts";
+constexpr int parts_version = 1;
 
 /// Writes or reads the members of a type as objects of an HDF5 group under their names.
 class GroupArchive {
@@ -157,8 +157,8 @@ std::size_t objects_of(const MeshPart& part) {
 }
 
 void write_content(hid_t file, const MeshRecipe& recipe, MeshCutter& cutter, int ranks) {
-  h5::set_attribute(file, "kind", std::string(kind));
-  h5::set_attribute(file, "format", static_cast<long long>(format_version));
+  h5::set_attribute(file, "kind", std::string(parts_kind));
+  h5::set_attribute(file, "format", static_cast<long long>(parts_version));
   h5::set_attribute(file, "parts", static_cast<long long>(ranks));
   h5::set_attribute(file, "fingerprint of files", fingerprint_of(recipe.source().files()));
   h5::write_text(file, "origin", origin_of(recipe), 0);
@@ -227,10 +227,10 @@ MeshPart read_part(hid_t file, int rank) {
 }
 
 void check_kind(hid_t file, int ranks) {
-  if (!h5::has_attribute(file, "kind") || h5::text_attribute(file, "kind") != kind)
+  if (!h5::has_attribute(file, "kind") || h5::text_attribute(file, "kind") != parts_kind)
     throw InputError("no file of mesh parts, as `mudline split` writes it");
-  if (h5::integer_attribute(file, "format") != format_version)
-    throw InputError("the mesh parts are of another format than this program's, " + std::to_string(format_version));
+  if (h5::integer_attribute(file, "format") != parts_version)
+    throw InputError("the mesh parts are of another format than this program's, " + std::to_string(parts_version));
   const long long parts = h5::integer_attribute(file, "parts");
   if (parts != ranks)
     throw InputError("the mesh was split for " + std::to_string(parts) + (parts == 1 ? " rank" : " ranks") +

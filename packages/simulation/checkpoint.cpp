@@ -1,9 +1,12 @@
-// The checkpoint of a run: the whole committed state, the progress of the run, and its deck.
+#include "simulation/checkpoint.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <unordered_map>
+#include <vector>
 
 #include "core/deck.hpp"
 #include "core/deck_changes.hpp"
@@ -12,8 +15,6 @@
 #include "discretisation/agree.hpp"
 #include "framework/dof_ids.hpp"
 #include "integrator/overlap.hpp"
-#include "simulation/output/checkpoint_file.hpp"
-#include "simulation/run.hpp"
 
 namespace mudline {
 
@@ -198,89 +199,86 @@ std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
 
 }  // namespace
 
-void Run::save_checkpoint() {
-  const State& state = model_->store().committed();
+void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progress& progress,
+                       const HistoryOutput& history, const FieldOutput& fields) const {
+  const Comm& comm = *model.mesh().comm();
   CheckpointData data;
   // this comes first, because a solver may free memory here that the arrays then use
-  data.arrays["linear solver"] = model_->stepper().solver_memory();
-  for (const StateArray& array : arrays_of(*model_, pressure_->initial())) {
+  data.arrays["linear solver"] = model.stepper().solver_memory();
+  for (const StateArray& array : arrays_of(model, pressure.initial())) {
     data.arrays[array.name].assign(array.values, array.values + array.size);
     // an array without rows on this rank may have some on others
-    if (max_over_ranks(*model_->mesh().comm(), array.rows.ids.empty() ? 0.0 : 1.0) > 0)
-      data.integers[array.rows.name] = array.rows.ids;
+    if (max_over_ranks(comm, array.rows.ids.empty() ? 0.0 : 1.0) > 0) data.integers[array.rows.name] = array.rows.ids;
   }
-  data.scalars["time"] = state.time;
-  data.scalars["stage"] = progress_.stage;
-  data.scalars["step in stage"] = progress_.step_in_stage;
-  data.scalars["step"] = progress_.step;
-  data.scalars["stage start"] = progress_.stage_start;
-  data.scalars["next dt"] = progress_.next_dt;
-  data.scalars["last dt"] = progress_.last_dt;
-  data.scalars["stage open"] = progress_.stage_open;
-  const HistoryMark& history = history_->mark();
-  data.integers["history"] = {history.rows, history.bytes, static_cast<long long>(history.fingerprint)};
-  data.scalars["field steps"] = fields_->num_steps();
+  data.scalars["time"] = model.store().committed().time;
+  data.scalars["stage"] = progress.stage;
+  data.scalars["step in stage"] = progress.step_in_stage;
+  data.scalars["step"] = progress.step;
+  data.scalars["stage start"] = progress.stage_start;
+  data.scalars["next dt"] = progress.next_dt;
+  data.scalars["last dt"] = progress.last_dt;
+  data.scalars["stage open"] = progress.stage_open;
+  const HistoryMark& mark = history.mark();
+  data.integers["history"] = {mark.rows, mark.bytes, static_cast<long long>(mark.fingerprint)};
+  data.scalars["field steps"] = fields.num_steps();
   data.texts["deck"] = origin_.deck;
-  data.texts[field_marks] = text_of(fields_->marks());
-  if (model_->ale() && model_->ale()->remeshing()) data.scalars["remesh tried"] = progress_.remesh_tried;
-  if (model_->remeshed())
-    data.integers[remeshed_mesh] =
-        model_->mesh().comm()->getRank() == 0 ? packed(model_->remeshed()->bytes()) : std::vector<long long>();
-  CheckpointWriter(model_->mesh().comm(), signature_of(model_->mesh())).write(checkpoint_path(), data);
+  data.texts[field_marks] = text_of(fields.marks());
+  if (model.ale() && model.ale()->remeshing()) data.scalars["remesh tried"] = progress.remesh_tried;
+  if (model.remeshed())
+    data.integers[remeshed_mesh] = comm.getRank() == 0 ? packed(model.remeshed()->bytes()) : std::vector<long long>();
+  CheckpointWriter(model.mesh().comm(), signature_of(model.mesh())).write(path_, data);
 }
 
-void Run::load_checkpoint() {
-  const RCP<const Comm> comm = model_->mesh().comm();
-  const std::string path = checkpoint_path();
-  agree(*comm, [&] {
-    if (!std::filesystem::exists(path))
-      throw InputError(path +
+std::shared_ptr<const RemeshedMesh> Checkpoint::open(const Mesh& mesh) {
+  const Comm& comm = *mesh.comm();
+  agree(comm, [&] {
+    if (!std::filesystem::exists(path_))
+      throw InputError(path_ +
                        ": there is no such checkpoint; --restart continues a run of the same deck that left one");
   });
-  CheckpointReader reader(comm, signature_of(model_->mesh()));
-  const auto texts = reader.texts(path);
+  const CheckpointReader reader(mesh.comm(), signature_of(mesh));
+  const auto texts = reader.texts(path_);
   const auto deck = texts.find("deck");
-  if (deck == texts.end()) throw InputError(path + ": the checkpoint lacks its deck");
-  check_model(deck->second);
-  load_mesh(reader);
-  reader = CheckpointReader(comm, signature_of(model_->mesh()));
-  checkpoint_ = reader.read(path);
-  if (checkpoint_.moved_nodes)
+  if (deck == texts.end()) throw InputError(path_ + ": the checkpoint lacks its deck");
+  old_deck_ = deck->second;
+  check_model();
+  const std::vector<long long> written = reader.first_integers(path_, remeshed_mesh);
+  if (max_over_ranks(comm, static_cast<double>(written.size())) == 0) return nullptr;
+  RemeshedMesh remeshed;
+  if (!written.empty()) remeshed = RemeshedMesh::from_bytes(unpacked(written));
+  return std::make_shared<const RemeshedMesh>(broadcast(comm, std::move(remeshed)));
+}
+
+void Checkpoint::read(Model& model, const ExcessPressure& pressure, Progress& progress) {
+  const RCP<const Comm> comm = model.mesh().comm();
+  data_ = CheckpointReader(comm, signature_of(model.mesh())).read(path_);
+  if (data_.moved_nodes)
     refuse_or_warn("the source of the mesh gives its nodes other coordinates than those of the first run");
-  if (checkpoint_.ranks > 0)
-    log::info("the checkpoint was written on " + std::to_string(checkpoint_.ranks) +
-              (checkpoint_.ranks == 1 ? " rank" : " ranks") + ", or on another partition: its state is redistributed");
+  if (data_.ranks > 0)
+    log::info("the checkpoint was written on " + std::to_string(data_.ranks) + (data_.ranks == 1 ? " rank" : " ranks") +
+              ", or on another partition: its state is redistributed");
   agree(*comm, [&] {
     try {
-      restore_progress();
-      check_stages(deck->second);
-      restore_arrays();
+      read_progress(model, progress);
+      check_stages(model, progress);
+      for (const StateArray& array : arrays_of(model, pressure.initial())) restore(data_, array);
     } catch (const InputError& error) {
-      throw InputError(path + ": " + error.what());
+      throw InputError(path_ + ": " + error.what());
     }
   });
-  log::info("restart at t = " + std::to_string(model_->store().committed().time) + " s, step " +
-            std::to_string(progress_.step) + ", stage '" + model_->stages()[progress_.stage]->name + "'");
+  log::info("restart at t = " + std::to_string(model.store().committed().time) + " s, step " +
+            std::to_string(progress.step) + ", stage '" + model.stages()[progress.stage]->name + "'");
 }
 
-void Run::load_mesh(const CheckpointReader& reader) {
-  const Comm& comm = *model_->mesh().comm();
-  const std::vector<long long> written = reader.first_integers(checkpoint_path(), remeshed_mesh);
-  if (max_over_ranks(comm, static_cast<double>(written.size())) == 0) return;
-  RemeshedMesh mesh;
-  if (!written.empty()) mesh = RemeshedMesh::from_bytes(unpacked(written));
-  take_model(make_model_(std::make_shared<const RemeshedMesh>(broadcast(comm, std::move(mesh)))));
-}
-
-void Run::refuse_or_warn(const std::string& difference) const {
-  if (!options_.accept_changes)
-    throw InputError(checkpoint_path() + ": the checkpoint is that of another model: " + difference +
+void Checkpoint::refuse_or_warn(const std::string& difference) const {
+  if (!accept_changes_)
+    throw InputError(path_ + ": the checkpoint is that of another model: " + difference +
                      " (--accept-changes goes on all the same)");
   log::warn("going on from the checkpoint of another model: " + difference);
 }
 
-void Run::check_model(const std::string& old_deck) const {
-  const Deck was = deck_of(old_deck, checkpoint_path()), now = deck_of(origin_.deck, "deck");
+void Checkpoint::check_model() const {
+  const Deck was = deck_of(old_deck_, path_), now = deck_of(origin_.deck, "deck");
   std::vector<DeckChange> changes = deck_changes(was.list(), now.list());
   const auto may_change = [](const DeckChange& change) {
     return std::any_of(std::begin(free_sections), std::end(free_sections),
@@ -290,11 +288,11 @@ void Run::check_model(const std::string& old_deck) const {
   if (!changes.empty()) refuse_or_warn(one_line(changes));
 }
 
-void Run::check_stages(const std::string& old_deck) const {
-  const Deck was = deck_of(old_deck, checkpoint_path()), now = deck_of(origin_.deck, "deck");
+void Checkpoint::check_stages(const Model& model, const Progress& progress) const {
+  const Deck was = deck_of(old_deck_, path_), now = deck_of(origin_.deck, "deck");
   const std::vector<std::string> names = stage_names(was.list());
-  const auto& stages = model_->stages();
-  const int present = progress_.stage, begun = present + (progress_.stage_open ? 1 : 0);
+  const auto& stages = model.stages();
+  const int present = progress.stage, begun = present + (progress.stage_open ? 1 : 0);
   std::vector<std::string> over(names.begin(), names.begin() + std::min<int>(begun, static_cast<int>(names.size())));
   for (int i = 0; i < begun; ++i) {
     if (i < static_cast<int>(over.size()) && i < static_cast<int>(stages.size()) && stages[i]->name == over[i])
@@ -315,53 +313,45 @@ void Run::check_stages(const std::string& old_deck) const {
       if (!running) without_effect.push_back(change);
     }
   if (!without_effect.empty()) log::warn("changes in stages that are over have no effect: " + one_line(without_effect));
-  if (!progress_.stage_open) return;
+  if (!progress.stage_open) return;
   const Stage& stage = *stages[present];
-  const double done = model_->store().committed().time - progress_.stage_start;
+  const double done = model.store().committed().time - progress.stage_start;
   if (stage.duration < done * (1 - 1e-9))
     throw InputError("stages/" + stage.name + "/duration: " + number_text(stage.duration) +
                      " s, but the checkpoint stands " + number_text(done) + " s into that stage");
 }
 
-void Run::restore_progress() {
-  const CheckpointData& data = checkpoint_;
-  model_->store().committed().time = scalar(data, "time");
-  progress_.stage = counter(data, "stage", 1e6);
-  progress_.step_in_stage = counter(data, "step in stage", 2e9);
-  progress_.step = counter(data, "step", 2e9);
-  progress_.stage_start = scalar(data, "stage start");
-  progress_.next_dt = scalar(data, "next dt");
-  progress_.last_dt = scalar(data, "last dt");
-  progress_.stage_open = counter(data, "stage open", 1) == 1;
-  if (data.scalars.count("remesh tried")) progress_.remesh_tried = counter(data, "remesh tried", 2e9);
-  if (model_->store().committed().time < progress_.stage_start && progress_.stage_open)
+void Checkpoint::read_progress(Model& model, Progress& progress) const {
+  model.store().committed().time = scalar(data_, "time");
+  progress.stage = counter(data_, "stage", 1e6);
+  progress.step_in_stage = counter(data_, "step in stage", 2e9);
+  progress.step = counter(data_, "step", 2e9);
+  progress.stage_start = scalar(data_, "stage start");
+  progress.next_dt = scalar(data_, "next dt");
+  progress.last_dt = scalar(data_, "last dt");
+  progress.stage_open = counter(data_, "stage open", 1) == 1;
+  if (data_.scalars.count("remesh tried")) progress.remesh_tried = counter(data_, "remesh tried", 2e9);
+  if (model.store().committed().time < progress.stage_start && progress.stage_open)
     throw InputError("its time lies before the start of its stage");
-  if (progress_.stage_open && !(progress_.next_dt > 0) &&
-      model_->stages()[std::min<std::size_t>(progress_.stage, model_->stages().size() - 1)]->type !=
-          Stage::Type::geostatic)
-    throw InputError("the value 'next dt' = " + number_text(progress_.next_dt) + " is impossible");
-  if (progress_.stage >= static_cast<int>(model_->stages().size()))
-    throw InputError("the checkpoint stands in stage " + std::to_string(progress_.stage + 1) + ", but the deck has " +
-                     std::to_string(model_->stages().size()) + " stages");
+  if (progress.stage_open && !(progress.next_dt > 0) &&
+      model.stages()[std::min<std::size_t>(progress.stage, model.stages().size() - 1)]->type != Stage::Type::geostatic)
+    throw InputError("the value 'next dt' = " + number_text(progress.next_dt) + " is impossible");
+  if (progress.stage >= static_cast<int>(model.stages().size()))
+    throw InputError("the checkpoint stands in stage " + std::to_string(progress.stage + 1) + ", but the deck has " +
+                     std::to_string(model.stages().size()) + " stages");
 }
 
-void Run::restore_arrays() {
-  for (const StateArray& array : arrays_of(*model_, pressure_->initial())) restore(checkpoint_, array);
+void Checkpoint::resume(double time, HistoryOutput& history, FieldOutput& fields) const {
+  const std::vector<long long>& mark = find(data_.integers, "history", "history");
+  if (mark.size() < 3) does_not_fit("history");
+  history.go_on({{mark[0], mark[1], static_cast<std::uint64_t>(mark[2])}, time, accept_changes_});
+  fields.go_on({static_cast<long long>(scalar(data_, "field steps")), time, accept_changes_, field_marks_of(data_)});
 }
 
-void Run::restore_results() {
-  const double time = model_->store().committed().time;
-  const std::vector<long long>& history = find(checkpoint_.integers, "history", "history");
-  if (history.size() < 3) does_not_fit("history");
-  history_->go_on({{history[0], history[1], static_cast<std::uint64_t>(history[2])}, time, options_.accept_changes});
-  fields_->go_on({static_cast<long long>(scalar(checkpoint_, "field steps")), time, options_.accept_changes,
-                  field_marks_of(checkpoint_)});
-}
-
-void Run::restore_solver() {
-  const auto found = checkpoint_.arrays.find("linear solver");
+void Checkpoint::restore_solver(Stepper& stepper) const {
+  const auto found = data_.arrays.find("linear solver");
   // the numbers belong to the ranks' parts of the matrix, so they need the same partition
-  if (checkpoint_.ranks == 0 && found != checkpoint_.arrays.end()) model_->stepper().restore_solver(found->second);
+  if (data_.ranks == 0 && found != data_.arrays.end()) stepper.restore_solver(found->second);
 }
 
 }  // namespace mudline
