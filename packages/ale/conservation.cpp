@@ -161,7 +161,7 @@ struct HeldGrains {
 
   /// `ratios`: empty where there is one material.
   HeldGrains(const BlockPoints& at, const Soil& soil_of, int void_ratio, int origin, const std::vector<double>& table,
-       int columns, const std::vector<double>& ratios)
+             int columns, const std::vector<double>& ratios)
       : shares(shares_of(at, soil_of, origin, table, columns)) {
     const auto& [mesh, block, x] = at;
     const std::size_t count = block.made_of.size();

@@ -43,7 +43,9 @@ Cell quad4() {
 }
 
 // A side only: as a cell of the plane it gets its centre.
-Cell quad8() { return quadrilateral_frame().quadratic("quad8", CellShape::quad4, {CellShape::line3}, false, evaluate_quad8); }
+Cell quad8() {
+  return quadrilateral_frame().quadratic("quad8", CellShape::quad4, {CellShape::line3}, false, evaluate_quad8);
+}
 
 Cell quad9() {
   Cell cell = quadrilateral_frame().quadratic("quad9", CellShape::quad4, {CellShape::line3}, true, evaluate_grid<2>);

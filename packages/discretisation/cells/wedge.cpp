@@ -76,7 +76,8 @@ void evaluate_wedge15(const Cell& own, const double* xi, double* N, double* dN) 
 }  // namespace
 
 Cell wedge6() {
-  Cell cell = wedge_frame().linear("wedge6", CellShape::wedge6, sides(CellShape::quad4, CellShape::tri3), evaluate_product);
+  Cell cell =
+      wedge_frame().linear("wedge6", CellShape::wedge6, sides(CellShape::quad4, CellShape::tri3), evaluate_product);
   cell.xdmf = 8;
   cell.msh_types = {6};
   return cell;
@@ -84,7 +85,7 @@ Cell wedge6() {
 
 Cell wedge15() {
   Cell cell = wedge_frame().quadratic("wedge15", CellShape::wedge6, sides(CellShape::quad8, CellShape::tri6), false,
-                                evaluate_wedge15);
+                                      evaluate_wedge15);
   cell.xdmf = 40;
   cell.msh_types = {18};
   cell.msh_around = msh_around();
@@ -93,7 +94,7 @@ Cell wedge15() {
 
 Cell wedge18() {
   Cell cell = wedge_frame().quadratic("wedge18", CellShape::wedge6, sides(CellShape::quad9, CellShape::tri6), false,
-                                evaluate_product);
+                                      evaluate_product);
   cell.xdmf = 41;
   cell.msh_types = {13};
   cell.msh_around = msh_around();
