@@ -15,7 +15,7 @@ import sys
 import time
 
 POLL = 0.5  # [s] between two looks at the clocks
-WALL_FACTOR, WALL_EXTRA = 10, 600
+WALL_FACTOR, WALL_EXTRA = 2, 600
 TIMED_OUT = 124
 CHILD_SUBREAPER = 36  # Linux, <sys/prctl.h>
 
