@@ -17,8 +17,7 @@ std::array<Point, 2> tangents(const Point& normal) {
   for (int i = 1; i < 3; ++i)
     if (std::abs(normal[i]) < std::abs(normal[least])) least = i;
   axis[least] = 1;
-  const Point one = cross(normal, axis);
-  const Point first = 1 / length(one) * one;
+  const Point first = unit(cross(normal, axis));
   return {first, cross(normal, first)};
 }
 

@@ -22,8 +22,7 @@ Point axis(int direction) {
 /// Unit normal of the plane through the first corners of a side.
 Point side_normal(const Mesh& mesh, const std::vector<int>& nodes) {
   const Point a = mesh.place(nodes[0]), b = mesh.place(nodes[1]);
-  const Point normal = cross(b - a, mesh.dimension() == 3 ? mesh.place(nodes[2]) - a : axis(2));
-  return 1 / length(normal) * normal;
+  return unit(cross(b - a, mesh.dimension() == 3 ? mesh.place(nodes[2]) - a : axis(2)));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/log.hpp"
 #include "discretisation/mesh_topology.hpp"
 
 namespace mudline {

@@ -6,23 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/errors.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
 
 namespace {
-
-std::string item_text(double value) { return number_text(value); }
-std::string item_text(int value) { return std::to_string(value); }
-std::string item_text(const std::string& value) { return value; }
-
-template <class T>
-std::string array_text(const Teuchos::ParameterEntry& entry) {
-  std::vector<std::string> items;
-  for (const T& item : Teuchos::any_cast<Teuchos::Array<T>>(entry.getAny(false))) items.push_back(item_text(item));
-  return "{" + join(items) + "}";
-}
 
 template <class T>
 const T& value_of(const Teuchos::ParameterEntry& entry) {
@@ -70,14 +58,19 @@ std::string entry_type(const Teuchos::ParameterEntry& entry) {
   return entry.getAny(false).typeName();
 }
 
+std::string value_text(double value) { return number_text(value); }
+std::string value_text(int value) { return std::to_string(value); }
+std::string value_text(bool value) { return value ? "true" : "false"; }
+std::string value_text(const std::string& value) { return value; }
+
 std::string entry_text(const Teuchos::ParameterEntry& entry) {
-  if (entry.isType<double>()) return number_text(value_of<double>(entry));
-  if (entry.isType<int>()) return std::to_string(value_of<int>(entry));
-  if (entry.isType<bool>()) return value_of<bool>(entry) ? "true" : "false";
-  if (entry.isType<std::string>()) return value_of<std::string>(entry);
-  if (entry.isType<Teuchos::Array<double>>()) return array_text<double>(entry);
-  if (entry.isType<Teuchos::Array<int>>()) return array_text<int>(entry);
-  if (entry.isType<Teuchos::Array<std::string>>()) return array_text<std::string>(entry);
+  if (entry.isType<double>()) return value_text(value_of<double>(entry));
+  if (entry.isType<int>()) return value_text(value_of<int>(entry));
+  if (entry.isType<bool>()) return value_text(value_of<bool>(entry));
+  if (entry.isType<std::string>()) return value_text(value_of<std::string>(entry));
+  if (entry.isType<Teuchos::Array<double>>()) return values_text(value_of<Teuchos::Array<double>>(entry));
+  if (entry.isType<Teuchos::Array<int>>()) return values_text(value_of<Teuchos::Array<int>>(entry));
+  if (entry.isType<Teuchos::Array<std::string>>()) return values_text(value_of<Teuchos::Array<std::string>>(entry));
   return Teuchos::toString(entry.getAny(false));
 }
 

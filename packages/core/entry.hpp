@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/errors.hpp"
+
 namespace mudline {
 
 /// The types a <Parameter> may declare: double, int, bool, string, Array(double), Array(int), Array(string).
@@ -14,7 +16,19 @@ const std::vector<std::string>& entry_types();
 /// One of entry_types(), or the C++ type's name for anything set from code.
 std::string entry_type(const Teuchos::ParameterEntry& entry);
 
-/// The value as it would stand in XML: "0.5", "true", "{1, 2}".
+/// A value as it would stand in XML: "0.5", "true", "abc".
+std::string value_text(double value);
+std::string value_text(int value);
+std::string value_text(bool value);
+std::string value_text(const std::string& value);
+/// Values likewise: "{1, 2}".
+template <class Items>
+std::string values_text(const Items& items) {
+  std::vector<std::string> texts;
+  for (const auto& item : items) texts.push_back(value_text(item));
+  return "{" + join(texts) + "}";
+}
+/// The value or values of an entry likewise.
 std::string entry_text(const Teuchos::ParameterEntry& entry);
 
 /// Describes an entry for error messages: "the string 'abc'", "the number 0.5", "a section".

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/entry.hpp"
 #include "core/errors.hpp"
@@ -101,18 +102,12 @@ Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibra
   return Function(constant);
 }
 
-std::string list_text(const std::vector<std::string>& items) { return "{" + join(items) + "}"; }
-
-std::string text_of(double value) { return number_text(value); }
-std::string text_of(int value) { return std::to_string(value); }
-std::string text_of(bool value) { return value ? "true" : "false"; }
-std::string text_of(const std::string& value) { return value; }
-std::string text_of(const std::vector<std::string>& value) { return list_text(value); }
-template <class Numbers>
-std::string text_of(const Numbers& values) {
-  std::vector<std::string> items;
-  for (double value : values) items.push_back(number_text(value));
-  return list_text(items);
+template <class T>
+std::string text_of(const T& value) {
+  if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>)
+    return value_text(value);
+  else
+    return values_text(value);
 }
 
 const char* type_of(double) { return "double"; }

@@ -44,8 +44,7 @@ class NormalFinder {
  public:
   explicit NormalFinder(const SurfaceTriangles& surface) : surface_(surface), around_(surface.points.size()) {
     for (std::size_t f = 0; f < surface.facets.size(); ++f) {
-      const Point area = surface.area_vector(f);
-      facet_normals_.push_back(1 / length(area) * area);
+      facet_normals_.push_back(unit(surface.area_vector(f)));
       for (const int point : surface.facets[f]) around_[point].push_back(static_cast<int>(f));
     }
   }
@@ -86,9 +85,7 @@ class NormalFinder {
     const int flat = std::abs(normal[0]) < 0.6 ? 0 : 1;  // an axis that is not along the normal
     Point axis{};
     axis[flat] = 1;
-    Point first = cross(normal, axis);
-    first = 1 / length(first) * first;
-    const Point second = cross(normal, first);
+    const Point first = unit(cross(normal, axis)), second = cross(normal, first);
     double a[unknowns][unknowns] = {}, b[unknowns] = {}, scale = 0;
     for (const int p : wide) scale = std::max(scale, length(surface_.points[p] - surface_.points[point]));
     for (const int p : wide) {
@@ -101,8 +98,7 @@ class NormalFinder {
       }
     }
     if (!solve(a, b)) return normal;
-    Point result = normal - b[0] * first - b[1] * second;
-    result = 1 / length(result) * result;
+    const Point result = unit(normal - b[0] * first - b[1] * second);
     double least = 1;
     for (const int f : around_[point]) least = std::min(least, dot(facet_normals_[f], normal));
     return dot(result, normal) >= least ? result : normal;

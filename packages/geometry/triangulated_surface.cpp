@@ -40,8 +40,7 @@ void check_folds(const SurfaceTriangles& surface, const std::vector<Point>& norm
 
 /// First and second derivatives of the gap where the closest point is at a patch's point: normal and turning.
 void differentiate(const PatchPoint& at, SurfaceProjection& projection) {
-  const Point area = cross(at.da, at.db);
-  projection.normal = 1 / length(area) * area;
+  projection.normal = unit(cross(at.da, at.db));
   const Mat<double, 2> metric = {{{dot(at.da, at.da), dot(at.da, at.db)}, {dot(at.da, at.db), dot(at.db, at.db)}}};
   const double aa = -dot(at.daa, projection.normal), ab = -dot(at.dab, projection.normal),
                bb = -dot(at.dbb, projection.normal);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "simulation/excess_pressure.hpp"
 #include "simulation/field_output.hpp"

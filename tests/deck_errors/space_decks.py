@@ -74,10 +74,10 @@ def with_free(name, entries, message, mass=MASS, at=None, **where):
     return with_ball(name, [(MOTION, mass + "\n" + section("motion") + FREE + "".join(entries))], message, at=at or entries[0], **where)
 
 
-def with_pair(name, entry, message):
-    """Top and bottom of the box as two surfaces, with one entry more."""
+def with_pair(name, entry, message, more=()):
+    """Top and bottom of the box as two surfaces, with one entry more, and what else it takes."""
     both = parameter("slave", "string", "top") + parameter("master", "string", "bottom")
-    return wrong(name, before("boundary conditions", "\n".join([section("contacts"), section("face"), parameter("type", "string", "point to face"), both, entry,
+    return wrong(name, before("boundary conditions", "\n".join([section("contacts"), section("face"), parameter("type", "string", "point to face"), both, entry, *more,
                                                                 "</ParameterList>", "</ParameterList>"]) + "\n  "), message, at=entry)
 
 
@@ -212,7 +212,12 @@ DECKS = [
               at=parameter("closing distance", "double", "0.1")),
     with_pair("closing distance of a pair", parameter("closing distance", "double", "0.1"),
               "contacts/face/closing distance: has a meaning only with 'initial gap' = closed or in-situ stress; here it is as placed"),
-    with_pair("heat share without heat", parameter("slave heat share", "double", "0.5"), "contacts/face/slave heat share: has a meaning only with 'friction', which makes the heat"),
+    with_pair("heat share without friction", parameter("slave heat share", "double", "0.5"),
+              "contacts/face/slave heat share: has a meaning only with 'friction', which makes the heat"),
+    with_pair("heat share without temperature", parameter("slave heat share", "double", "0.5"),
+              "contacts/face/slave heat share: needs a model with the field 'temperature'",
+              more=[section("friction"), parameter("type", "string", "coulomb"), parameter("coefficient", "double", "0.3"),
+                    "</ParameterList>"]),
     with_pair("conductance of a pair", parameter("conductance", "double", "1e-9"), "contacts/face/conductance: has a meaning only with 'drainage' = leaky"),
     with_pair("pair of too high a degree", parameter("quadrature degree", "int", "9"), "contacts/face/quadrature degree: 9 is out of range; allowed: [1, 8]"),
     with_pair("pair without a master", parameter("mster", "string", "bottom"), "contacts/face/mster: unknown parameter (did you mean 'master'?)"),

@@ -184,7 +184,7 @@ def build(folder):
     """Both libraries. The plugin takes the compiler and the options of the program's own sources, from its build folder."""
     tree = build_tree()
     commands = json.loads((tree / "compile_commands.json").read_text())
-    own = next(c for c in commands if c["file"].endswith("packages/simulation/plugin.cpp"))
+    own = next(c for c in commands if "mudline_simulation.dir" in c["command"])
     words = shlex.split(own["command"])
     words = words[: words.index("-o")] + ["-w", "-fPIC", "-c", str(HERE / "faulty_plugin.cpp"), "-o", str(folder / "faulty_plugin.o")]
     subprocess.run(words, cwd=own["directory"], check=True)

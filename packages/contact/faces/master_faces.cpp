@@ -49,11 +49,8 @@ void MasterFaces::update(const ConstCoordinateView& x) {
   for (int f = 0; f < pieces(); ++f)
     for (int a = 0; a < surface_.sides()[f].count; ++a) {
       Point sum{};
-      for (const Corner& at : around_[f][a]) {
-        const Point normal = normal_at(at.face, at.node, x);
-        sum += 1 / std::max(1e-300, length(normal)) * normal;
-      }
-      normals_[f][a] = 1 / std::max(1e-300, length(sum)) * sum;
+      for (const Corner& at : around_[f][a]) sum += unit(normal_at(at.face, at.node, x));
+      normals_[f][a] = unit(sum);
     }
 }
 

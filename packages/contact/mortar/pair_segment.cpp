@@ -226,9 +226,11 @@ void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const ContactMotio
   }
   sums.area += value(motion.area);
   sums.heat += now.heat;
-  const double along[2] = {value(point.xi), value(point.projection.eta)};
-  for (int side = 0; side < 2; ++side)
-    for (int a = 0; a < side_multipliers; ++a) out.heat[side][a] += now.heat * 0.5 * (1 + (2 * a - 1) * along[side]);
+  const double eta = value(point.projection.eta), on_master[side_multipliers] = {0.5 * (1 - eta), 0.5 * (1 + eta)};
+  for (int a = 0; a < side_multipliers; ++a) {
+    out.heat[0][a] += now.heat * value(point.shape[a]);
+    out.heat[1][a] += now.heat * on_master[a];
+  }
   sums.deepest = std::min(sums.deepest, value(point.projection.gap));
   if (now.slides) sums.sliding += weight;
 }

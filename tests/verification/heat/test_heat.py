@@ -1,5 +1,5 @@
-"""Heat in saturated soil: a point source, a heated surface, a front in a flow, heat of friction, and the balance of heat while the
-mesh moves."""
+"""Heat in saturated soil: a point source, a heated surface, a front in a flow, heat of friction, and the balance of heat
+while the mesh moves."""
 import os
 import unittest
 
@@ -148,19 +148,22 @@ Physical Curve("under") = {bottom_1}; Physical Curve("top") = {top_1};
 
 
 class RubbedBlocks(MudlineCase):
-    """A block is pressed on another one and dragged over it: the heat of friction warms both, the slave by its share. The blocks are
-    alike and insulated, and water hardly moves, so that the temperatures that rise beside the interface are as the shares."""
+    """A block is pressed on another one and dragged over it: the heat of friction warms both, the slave by its share. The
+    blocks are alike and insulated, and water hardly moves, so that the temperatures that rise beside the interface are as
+    the shares."""
 
     def rub(self, share, contact, thickness=None, ranks=1):
         self.write("blocks.geo", RUBBED)
         mesh = {"type": "gmsh", "file": "blocks.geo", "order": 2}
-        material = {"porosity": 0.4, "skeleton": {"type": "linear elastic", "Young's modulus": 1e9, "Poisson's ratio": 0.0},
+        material = {"porosity": 0.4,
+                    "skeleton": {"type": "linear elastic", "Young's modulus": 1e9, "Poisson's ratio": 0.0},
                     "fluid": {"type": "water", "incompressible": True, "unit weight": 1e4},
                     "permeability": {"type": "constant", "hydraulic conductivity": 1e-3},
                     "heat": {"conductivity": 2.0, "grain heat capacity": 800.0}}
         moves, places = {"x": "1e-3*t", "y": "-1e-5*min(1,8*t)"}, ([0.5, 1.25], [0.5, 0.75])
         if thickness:
-            mesh = {"type": "extruded", "geometry": "three-dimensional", "along": "y", "length": thickness, "layers": 1, "plane": mesh}
+            mesh = {"type": "extruded", "geometry": "three-dimensional", "along": "y", "length": thickness, "layers": 1,
+                    "plane": mesh}
             moves, places = {"x": moves["x"], "y": "0", "z": moves["y"]}, [[x, 0.0, z] for x, z in places]
         history = self.run_deck(self.write("rub.xml", deck_text("rub", {
             "mesh": mesh,
@@ -168,7 +171,8 @@ class RubbedBlocks(MudlineCase):
             "physics": {"ground": {"type": "thermo-hydro-mechanical", "water expansion": 0.0}},
             "boundary conditions": {
                 "base": {"type": "fixed", "set": "base"}, "moves": {"type": "displacement", "set": "top", **moves},
-                **{f"drained {name}": {"type": "pore pressure", "set": name} for name in ("base", "face", "under", "top")}},
+                **{f"drained {name}": {"type": "pore pressure", "set": name}
+                   for name in ("base", "face", "under", "top")}},
             "contacts": {"face": {"slave": "under", "master": "face", "slave heat share": share,
                                   "friction": {"type": "coulomb", "coefficient": 0.5, "on": "total"}, **contact}},
             "stages": {"rub": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.125}}},
