@@ -36,6 +36,8 @@ struct MatrixScatter {
     int first, count;
   };
 
+  static constexpr int most_columns = 128;  // of a matrix that is added
+
   Kokkos::View<double*> values;
   Kokkos::View<const std::size_t*> row_begin;  // by overlap dof
   Positions positions;
@@ -56,27 +58,8 @@ struct MatrixScatter {
   /// within in_order().
   template <int R, int C>
   KOKKOS_INLINE_FUNCTION void add(int e, int row0, int column0, const double (&k)[R][C], double weight) const {
-    if (buffer.used()) return keep(e - buffer.first, row0, column0, k, weight);
-    bool fixed_column[C];
-    std::uint32_t position[C] = {};  // within the rows of the node `at`
-    for (int c = 0; c < C; ++c) fixed_column[c] = constrained(dofs(e, column0 + c));
-    int at = -1;
-    for (int r = 0; r < R; ++r) {
-      const int row = dofs(e, row0 + r);
-      if (const int node = places(row0 + r).node; node != at) {
-        at = node;
-        for (int c = 0; c < C; ++c) {
-          const Place place = places(column0 + c);
-          position[c] = positions(e, at, place.node) + place.component;
-        }
-      }
-      const bool fixed_row = constrained(row);
-      double* const entries = &values(row_begin(row));
-      for (int c = 0; c < C; ++c) {
-        if ((fixed_row || fixed_column[c]) && row0 + r != column0 + c) continue;
-        entries[position[c]] += weight * k[r][c];
-      }
-    }
+    static_assert(C <= most_columns);
+    add(e, row0, R, column0, C, &k[0][0], weight);
   }
 
   /// Adds the rows and columns 0 to n - 1, row after row, of element e's matrix.
@@ -111,12 +94,37 @@ struct MatrixScatter {
   }
 
  private:
-  template <int R, int C>
-  KOKKOS_INLINE_FUNCTION void keep(int i, int row0, int column0, const double (&k)[R][C], double weight) const {
-    for (int r = 0; r < R; ++r) {
-      spans(i, row0 + r) = {column0, C};
+  /// The same for k (row, column), row after row. A call, because many loops use it.
+  [[gnu::noinline]] KOKKOS_FUNCTION void add(int e, int row0, int rows, int column0, int columns, const double* k,
+                                             double weight) const {
+    if (buffer.used()) return keep(e - buffer.first, row0, rows, column0, columns, k, weight);
+    bool fixed_column[most_columns];
+    std::uint32_t position[most_columns];  // within the rows of the node `at`
+    for (int c = 0; c < columns; ++c) fixed_column[c] = constrained(dofs(e, column0 + c));
+    int at = -1;
+    for (int r = 0; r < rows; ++r) {
+      const int row = dofs(e, row0 + r);
+      if (const int node = places(row0 + r).node; node != at) {
+        at = node;
+        for (int c = 0; c < columns; ++c) {
+          const Place place = places(column0 + c);
+          position[c] = positions(e, at, place.node) + place.component;
+        }
+      }
+      const bool fixed_row = constrained(row);
+      double* const entries = &values(row_begin(row));
+      for (int c = 0; c < columns; ++c) {
+        if ((fixed_row || fixed_column[c]) && row0 + r != column0 + c) continue;
+        entries[position[c]] += weight * k[columns * r + c];
+      }
+    }
+  }
+
+  KOKKOS_FUNCTION void keep(int i, int row0, int rows, int column0, int columns, const double* k, double weight) const {
+    for (int r = 0; r < rows; ++r) {
+      spans(i, row0 + r) = {column0, columns};
       double* const to = &buffer.values(i, row0 + r, column0);
-      for (int c = 0; c < C; ++c) to[c] = weight * k[r][c];
+      for (int c = 0; c < columns; ++c) to[c] = weight * k[columns * r + c];
     }
   }
 };

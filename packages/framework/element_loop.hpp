@@ -33,6 +33,8 @@ struct ElementLoop {
   using Directions = LawDirections<Coordinates, S, Law>;
   template <class Law>
   using Rows = LawRows<Coordinates, S, Law>;
+  template <class Law>
+  static constexpr bool gradients = Law::gradients || Law::fluxes;  // whether a law needs those of scalar fields
   using Fields = PointFields<Coordinates, S, double>;
   using Balance = PointBalance<Coordinates, S, double>;
 
@@ -52,8 +54,9 @@ struct ElementLoop {
     double dv;                          // [m3]
   };
 
+  // gather() and shapes() are called, not inlined: all laws share them, and it takes a third off the time to compile.
   template <bool Rates>
-  KOKKOS_INLINE_FUNCTION void gather(int e, Nodes& n) const {
+  [[gnu::noinline]] KOKKOS_FUNCTION void gather(int e, Nodes& n) const {
     for (int a = 0; a < NU; ++a)
       for (int i = 0; i < D; ++i) {
         n.x[a][i] = at.x(b.nodes(e, a), i);
@@ -73,8 +76,10 @@ struct ElementLoop {
       }
   }
 
-  /// Shapes at a quadrature point; false where the element is folded or on the wrong side of the axis.
-  KOKKOS_INLINE_FUNCTION bool shapes(int q, const double (&x)[NU][D], Shape& s) const {
+  /// Shapes at a quadrature point; false where the element is folded or on the wrong side of the axis. Gradients:
+  /// whether those of the scalar fields are needed; else they are undefined.
+  template <bool Gradients>
+  [[gnu::noinline]] KOKKOS_FUNCTION bool shapes(int q, const double (&x)[NU][D], Shape& s) const {
     s.N = &b.u.N(q, 0);
     s.Np = NS > 0 ? &b.p.N(q, 0) : nullptr;
     CellMap<D> map;
@@ -85,13 +90,13 @@ struct ElementLoop {
     const double measure = Coordinates::measure(here);
     if (!(map.det > 0) || !(measure > 0)) return false;
     map.gradients(&b.u.dN(q, 0, 0), s.g);
-    if constexpr (NS > 0) map.gradients(&b.p.dN(q, 0, 0), s.gp);
+    if constexpr (Gradients && NS > 0) map.gradients(&b.p.dN(q, 0, 0), s.gp);
     for (int a = 0; a < NU; ++a) s.h[a] = Coordinates::hoop ? s.N[a] / here[0] : 0.0;
     s.dv = b.u.weights(q) * map.det * measure;
     return true;
   }
   /// The fields at a point with known shapes; false where the element would be folded at the start of the step.
-  template <bool Rates>
+  template <bool Rates, bool Gradients>
   KOKKOS_INLINE_FUNCTION bool fields(const Nodes& n, const Shape& s, Fields& f) const {
     f.hoop_moved = 0;
     for (int i = 0; i < D; ++i)
@@ -125,27 +130,29 @@ struct ElementLoop {
     for (int k = 0; k < S; ++k) {
       f.value[k] = f.change[k] = 0;
       if constexpr (Rates) f.rate[k] = 0;
-      for (int j = 0; j < D; ++j) f.gradient[k][j] = 0;
+      if constexpr (Gradients)
+        for (int j = 0; j < D; ++j) f.gradient[k][j] = 0;
       for (int c = 0; c < NS; ++c) {
         f.value[k] += s.Np[c] * n.value[k][c];
         f.change[k] += s.Np[c] * n.change[k][c];
         if constexpr (Rates) f.rate[k] += s.Np[c] * n.scalar_rate[k][c];
-        for (int j = 0; j < D; ++j) f.gradient[k][j] += s.gp[c][j] * n.value[k][c];
+        if constexpr (Gradients)
+          for (int j = 0; j < D; ++j) f.gradient[k][j] += s.gp[c][j] * n.value[k][c];
       }
     }
     return true;
   }
 
-  /// Calls f(point, shape, fields) for the points of an element; stops and returns 1 where it is folded. Rates: whether
-  /// rates are needed; else they are undefined.
-  template <bool Rates, class F>
+  /// Calls f(point, shape, fields) for the points of an element; stops and returns 1 where it is folded. Rates,
+  /// Gradients: whether rates, and gradients of scalar fields, are needed; else they are undefined.
+  template <bool Rates, bool Gradients, class F>
   KOKKOS_INLINE_FUNCTION int for_each_point(int e, F&& f) const {
     Nodes n;
     gather<Rates>(e, n);
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields here;
-      if (!shapes(q, n.x, s) || !fields<Rates>(n, s, here)) return 1;
+      if (!shapes<Gradients>(q, n.x, s) || !fields<Rates, Gradients>(n, s, here)) return 1;
       f(q, s, here);
     }
     return 0;
@@ -164,7 +171,7 @@ struct ElementLoop {
       Shape s;
       Fields f;
       Balance out;
-      if (!shapes(q, n.x, s) || !fields<Law::rates>(n, s, f)) return 1;
+      if (!shapes<gradients<Law>>(q, n.x, s) || !fields<Law::rates, gradients<Law>>(n, s, f)) return 1;
       law(e * b.points + q, f, out);
       for (int a = 0; a < NU; ++a)
         for (int i = 0; i < D; ++i) {
@@ -303,7 +310,7 @@ struct ElementLoop {
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields f;
-      if (!shapes(q, n.x, s) || !fields<Law::rates>(n, s, f)) return;
+      if (!shapes<gradients<Law>>(q, n.x, s) || !fields<Law::rates, gradients<Law>>(n, s, f)) return;
       double A[Rows<Law>::count][Directions<Law>::count], Y[Rows<Law>::count][width];
       PointTangent<Coordinates, S, Law>{at}(e * b.points + q, law, s.dv, f, A);
       to_unknowns<Law>(s, A, Y);
@@ -340,7 +347,8 @@ ElementResidual(Loop, Law, VectorScatter) -> ElementResidual<Loop, Law>;
 /// Calls f(loop) with the element loop that a law needs on a block.
 template <class Law, class F>
 void with_loop(Geometry geometry, const FieldBlock& block, const LoopLevel& level, F&& f) {
-  with_element(geometry, block, [&](auto coordinates, auto shapes) {
+  constexpr bool uses_scalars = Law::scalars || Law::gradients || Law::storages || Law::fluxes;
+  with_element<uses_scalars ? max_scalars : 0>(geometry, block, [&](auto coordinates, auto shapes) {
     if constexpr (fits<Law, decltype(shapes)>)
       f(ElementLoop<decltype(coordinates), decltype(shapes)>{block, level});
     else

@@ -18,8 +18,9 @@ struct ElementShapes {
 };
 
 /// Calls f(coordinate system, ElementShapes) of a block. The displacement has values at all nodes; scalar fields at the
-/// corners or, without a displacement, at all nodes.
-template <class F>
+/// corners or, without a displacement, at all nodes. Scalars: the number of scalar fields that f uses at most, the
+/// first ones of the block.
+template <int Scalars = max_scalars, class F>
 auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
   using Result = decltype(f(PlaneStrain{}, ElementShapes<6, 0, 0>{}));
   const auto of_cell = [&](auto coordinates, auto counts) -> Result {
@@ -34,8 +35,10 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
       throw std::logic_error("no kernel is compiled for fields at all nodes of quadratic cells");
     };
     static_assert(max_scalars == 2);
-    if (block.scalars == 2) return of_scalars(std::integral_constant<int, 2>{});
-    if (block.scalars == 1) return of_scalars(std::integral_constant<int, 1>{});
+    if constexpr (Scalars > 1)
+      if (block.scalars > 1) return of_scalars(std::integral_constant<int, 2>{});
+    if constexpr (Scalars > 0)
+      if (block.scalars > 0) return of_scalars(std::integral_constant<int, 1>{});
     return f(coordinates, ElementShapes<N, 0, 0>{});
   };
   return with_coordinates(geometry, [&](auto coordinates) -> Result {

@@ -27,8 +27,8 @@ Inventory take_inventory(const Soil& soil, const State& state) {
           for (int q = 0; q < b.points; ++q)
             for (int d = 0; d < Loop::D; ++d) starts[q][d] = state.arrays[b.origin](e * b.points + q, 1 + d);
         if (made_of > 1) shares = soil.layer_shares(b, starts);
-        loop.template for_each_point<true>(e, [&](int q, const typename Loop::Shape& s,
-                                                  const typename Loop::Fields& at) {
+        loop.template for_each_point<true, false>(e, [&](int q, const typename Loop::Shape& s,
+                                                         const typename Loop::Fields& at) {
           const int row = e * b.points + q;
           const Mixture& mixture = mixture_of(row);
           const double ratio = void_ratio(row, 0), n = ratio / (1 + ratio);
@@ -37,7 +37,9 @@ Inventory take_inventory(const Soil& soil, const State& state) {
             local[i] += mass * at.velocity[i];
             local[3] += 0.5 * mass * at.velocity[i] * at.velocity[i];
           }
-          const double warmth = mixture.temperature >= 0 ? at.value[mixture.temperature] : mixture.reference;
+          double warmth = mixture.reference;
+          if constexpr (Loop::S > 0)
+            if (mixture.temperature >= 0) warmth = at.value[mixture.temperature];
           for (std::size_t k = 0; k < made_of; ++k) {
             const int material = b.made_of[k];
             const double grains =

@@ -126,7 +126,7 @@ TEST(ElementLoop, FieldsOfALinearMotion) {
   int points = 0;
   double volume = 0;
   for (int e = 0; e < block.elements; ++e)
-    loop.for_each_point<true>(e, [&](int q, const auto& shape, const auto& f) {
+    loop.for_each_point<true, true>(e, [&](int q, const auto& shape, const auto& f) {
       const Point place = block.place(e, q, model.x);
       EXPECT_NEAR(f.moved[0][0], 0.2, 1e-13);  // gradients refer to the place at the end
       EXPECT_NEAR(f.hoop_moved, 0.2, 1e-13);

@@ -73,7 +73,7 @@ TEST(SideLoop, APressureAllAroundIsInBalance) {
         work += model.sum(model.dof(LoopModel::displacement, node, i)) * model.x(node, i);
     with_loop<PointLaw>(geometry, block, model.level(), [&](const auto& loop) {
       for (int e = 0; e < block.elements; ++e)
-        loop.template for_each_point<false>(e, [&](int, const auto& shape, const auto&) { volume += shape.dv; });
+        loop.template for_each_point<false, false>(e, [&](int, const auto& shape, const auto&) { volume += shape.dv; });
     });
     EXPECT_NEAR(work, -5 * model.mesh->dimension() * volume, 1e-12);
   }

@@ -47,7 +47,8 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
   const SoilPoints points(soil, b, *view.committed);
   for (int e = 0; e < b.elements; ++e) {
     double q_e[Loop::NQ][Loop::NQ] = {}, l_e[Loop::NQ][Loop::NQ] = {};
-    loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
+    loop.template for_each_point<false, true>(e, [&](int q, const typename Loop::Shape& s,
+                                                     const typename Loop::Fields&) {
       const int row = e * b.points + q;
       const ElasticModuli m = points.moduli(row);
       const double mobility = b.porous() ? points.conductivity(row) / points.material(row).fluid->unit_weight() : 0.0;
@@ -133,7 +134,7 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
   Means means;
   for (const SoilBlock& b : soil.blocks) {
     const LoopLevel level = loop_level(view, {view.time_end, view.x_end, 0.0}, b);
-    with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
+    with_element<1>(soil.geometry, b, [&](auto coordinates, auto shapes) {
       const ElementLoop<decltype(coordinates), decltype(shapes)> loop{b, level};
       add_block(soil, b, view, loop, means, mass.get(), laplacian.get());
     });

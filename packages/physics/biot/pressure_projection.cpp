@@ -12,20 +12,21 @@ void PressureProjection::begin(const StepView& view) {
     const SoilBlock& b = soil_->blocks[k];
     const SoilPoints points(*soil_, b, *view.committed);
     if (matrices_[k].extent(0) == 0) matrices_[k] = PointView("projection", b.elements, b.p.nodes * b.p.nodes);
-    with_element(soil_->geometry, b, [&](auto coordinates, auto shapes) {
+    with_element<1>(soil_->geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, loop_level(view, {view.time_old, view.x_old, 0.0}, b)};
       constexpr int N = Loop::NS;
       for (int e = 0; e < b.elements; ++e) {
         double volume = 0, shear = 0, mean[Loop::NQ] = {}, matrix[Loop::NQ][Loop::NQ] = {};
-        loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
-          volume += s.dv;
-          shear += s.dv * points.moduli(e * b.points + q).shear;
-          for (int c = 0; c < N; ++c) {
-            mean[c] += s.dv * s.Np[c];
-            for (int d = 0; d < N; ++d) matrix[c][d] += s.dv * s.Np[c] * s.Np[d];
-          }
-        });
+        loop.template for_each_point<false, false>(
+            e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
+              volume += s.dv;
+              shear += s.dv * points.moduli(e * b.points + q).shear;
+              for (int c = 0; c < N; ++c) {
+                mean[c] += s.dv * s.Np[c];
+                for (int d = 0; d < N; ++d) matrix[c][d] += s.dv * s.Np[c] * s.Np[d];
+              }
+            });
         const double factor = volume / (2 * shear);
         for (int c = 0; c < N; ++c)
           for (int d = 0; d < N; ++d) matrices_[k](e, N * c + d) = factor * (matrix[c][d] - mean[c] * mean[d] / volume);
@@ -79,7 +80,7 @@ void PressureProjection::for_each_block(const StepView& view, F&& f) const {
   if (!view.flow) return;
   for (std::size_t k = 0; k < matrices_.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
-    with_element(soil_->geometry, b, [&](auto, auto shapes) {
+    with_element<1>(soil_->geometry, b, [&](auto, auto shapes) {
       constexpr int N = decltype(shapes)::NS;
       if constexpr (N > 0)
         f(b, ProjectionLoop<N>{b.dofs, matrices_[k], view.rate, static_cast<int>(b.dofs.extent(1)) - N});

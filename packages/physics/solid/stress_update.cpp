@@ -47,11 +47,11 @@ struct Staging {
   /// Adds the number of inverted points.
   KOKKOS_FUNCTION void operator()(int e, int& inverted) const {
     int next = 0;
-    if (loop.template for_each_point<false>(e,
-                                            [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
-                                              stage(e, q, at, inverted);
-                                              next = q + 1;
-                                            })) {
+    if (loop.template for_each_point<false, false>(
+            e, [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
+              stage(e, q, at, inverted);
+              next = q + 1;
+            })) {
       typename Loop::Fields still{};  // used from the folded point on: no motion
       still.volume_ratio = 1;
       inverted += loop.b.points - next;

@@ -99,7 +99,7 @@ struct WarmGround {
         const Loop loop{b, level};
         if constexpr (Loop::S > 1)
           for (int e = 0; e < b.elements; ++e)
-            loop.template for_each_point<false>(
+            loop.template for_each_point<false, false>(
                 e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& f) {
                   const WarmSoil& warm = soils(e * b.points + q);
                   const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
