@@ -17,7 +17,7 @@ void FaceLocator::look(const std::vector<Ball>& balls, const Point& point, Neare
     const double reach = best.distance + ball.radius;
     const Point off = point - ball.centre;
     if (dot(off, off) > reach * reach) continue;
-    const NearestOnFace there = nearest_on_face(faces_[ball.face], point, x_);
+    const ClosestOnSide there = closest_on_side(faces_[ball.face], x_, point, best.distance);
     if (there.distance < best.distance) best = {{ball.face, there.place}, there.distance};
   }
 }
@@ -25,7 +25,7 @@ void FaceLocator::look(const std::vector<Ball>& balls, const Point& point, Neare
 SurfacePlace FaceLocator::nearest(int patch, const Point& point, int guess) const {
   Nearest best;
   if (guess >= 0) {
-    const NearestOnFace there = nearest_on_face(faces_[guess], point, x_);
+    const ClosestOnSide there = closest_on_side(faces_[guess], x_, point);
     best = {{guess, there.place}, there.distance};
   }
   look(balls_.at(patch), point, best);

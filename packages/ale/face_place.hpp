@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ale/ghosted_mesh.hpp"
+#include "ale/closest_on_side.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -31,12 +31,6 @@ inline Point without_bulge(const Point& at, const Point& centre, const Point& no
   return excess > 0 ? at - excess * normal : at;
 }
 
-/// The closest point of a curved face.
-struct NearestOnFace {
-  FacePlace place;
-  double distance;  // [m]
-  bool inside;      // not on an edge of the face
-};
-NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const Positions& x);
+ClosestOnSide closest_on_side(const SurfaceFace& face, const Positions& x, const Point& point, double least = 1e300);
 
 }  // namespace mudline

@@ -11,43 +11,18 @@
 
 namespace mudline {
 
-std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x) {
-  const int count = nodes[2] >= 0 ? 3 : 2;
-  const auto offset = [&](double xi, Point& r, Point& t) {
-    double N[3], dN[3];
-    evaluate_line(count, xi, N, dN);
-    for (int d = 0; d < place_size; ++d) {
-      r[d] = x[d];
-      t[d] = 0;
-      for (int a = 0; a < count; ++a) {
-        r[d] -= N[a] * positions[nodes[a]][d];
-        t[d] += dN[a] * positions[nodes[a]][d];
-      }
-    }
-  };
-  double xi = 0;
-  Point r, t;
-  for (int k = 0; k < 20; ++k) {  // Gauss-Newton: the closest point is near the curve
-    offset(xi, r, t);
-    const double step = dot(r, t) / dot(t, t);
-    xi = std::clamp(xi + step, -1.0, 1.0);
-    if (std::abs(step) < 1e-14) break;
-  }
-  offset(xi, r, t);
-  return {xi, distance(r, {})};
-}
-
 void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
                              Place& place) const {
   double least = 1e300;
   for (int k = first; k + path.stride <= last; k += path.stride) {
     const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};
-    const auto [xi, distance] = nearest_on_side(nodes, x_old, x);
-    if (distance >= least) continue;
-    least = distance;
-    place.side = path.stride == 2 ? CellShape::line3 : CellShape::line2;
+    const CellShape shape = path.stride == 2 ? CellShape::line3 : CellShape::line2;
+    const ClosestOnSide there = closest_on_side(shape, nodes, x_old, x, least);
+    if (there.distance >= least) continue;
+    least = there.distance;
+    place.side = shape;
     std::copy(nodes, nodes + 3, place.side_nodes.begin());
-    place.along = {xi, 0};
+    place.along = there.place;
   }
 }
 

@@ -1,16 +1,11 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "ale/mesh_paths.hpp"
 #include "ale/surface_motion.hpp"
 
 namespace mudline {
-
-/// Closest point to x on a side: its coordinate in [-1, 1] and its distance [m]. `nodes`: ends, then the mid-side node
-/// or -1.
-std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x);
 
 /// Interpolation of nodal values from the old mesh at the moved nodes, by the shape functions of the field in the old
 /// mesh. Nodes on paths and surfaces get values from the nodes of these alone, so that values prescribed along them do

@@ -185,9 +185,8 @@ Point SurfaceMotion::at(const SurfacePlace& place, const Positions& x) const {
 }
 
 SurfacePlace SurfaceMotion::nearest(int node, int guess, const Positions& x_old, const Point& point) const {
-  const auto look = [&](int f) { return nearest_on_face(surfaces_.faces[f], point, x_old); };
   if (guess >= 0) {
-    const NearestOnFace there = look(guess);
+    const ClosestOnSide there = closest_on_side(surfaces_.faces[guess], x_old, point);
     if (there.inside) return {guess, there.place};
   }
   SurfacePlace best;
@@ -199,7 +198,7 @@ SurfacePlace SurfaceMotion::nearest(int node, int guess, const Positions& x_old,
     const Point across = 0.5 * (box.high - box.low);
     // a curved face is not far outside the box of its nodes
     if (length(point - (box.low + across)) - 1.5 * length(across) > least) continue;
-    const NearestOnFace there = look(f);
+    const ClosestOnSide there = closest_on_side(face, x_old, point, least);
     if (there.distance >= least) continue;
     least = there.distance;
     best = {f, there.place};

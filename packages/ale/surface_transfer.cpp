@@ -103,11 +103,12 @@ SurfaceTransfer::Row SurfaceTransfer::locate(double x, double y, int number) con
   Row row{0, 0, number};
   double least = 1e300;
   for (const PathSide& side : sides_) {
-    const auto [xi, distance] = nearest_on_side(side.nodes, x_, {x, y});
-    if (distance >= least) continue;
-    least = distance;
+    const CellShape shape = side.nodes[2] >= 0 ? CellShape::line3 : CellShape::line2;
+    const ClosestOnSide there = closest_on_side(shape, side.nodes, x_, {x, y, 0}, least);
+    if (there.distance >= least) continue;
+    least = there.distance;
     row.path = side.path;
-    row.s = side.from + 0.5 * (1 + xi) * (side.to - side.from);
+    row.s = side.from + 0.5 * (1 + there.place[0]) * (side.to - side.from);
   }
   return row;
 }

@@ -53,7 +53,7 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
 void MasterSurface::sort(const ConstCoordinateView& x) {
   std::vector<Bounds> boxes;
   for (const MasterSide& side : sides_) boxes.push_back(side_box(side.node, side.count, x));
-  boxes_.sort(boxes);
+  boxes_ = BoxTree(std::move(boxes));
 }
 
 }  // namespace mudline

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "contact/box_search.hpp"
+#include "contact/side_box.hpp"
 #include "discretisation/shapes.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace mudline {
 
@@ -23,14 +24,14 @@ class MasterSurface {
   /// The sides, in an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
   const std::vector<MasterSide>& sides() const { return sides_; }
 
-  /// Prepares near(): the sides' boxes at these coordinates, sorted along the direction in which the surface is longer.
+  /// Prepares near(): the sides' boxes at these coordinates.
   void sort(const ConstCoordinateView& x);
   /// Sides whose boxes come within `distance` [m] of the box, in ascending order.
   std::vector<int> near(const Bounds& box, double distance) const { return boxes_.near(box, distance); }
 
  private:
   std::vector<MasterSide> sides_;
-  BoxSearch boxes_;
+  BoxTree boxes_;
 };
 
 }  // namespace mudline

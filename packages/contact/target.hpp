@@ -3,8 +3,8 @@
 #include <variant>
 #include <vector>
 
-#include "contact/box_search.hpp"
 #include "contact/point_action.hpp"
+#include "contact/side_box.hpp"
 #include "framework/term.hpp"
 #include "geometry/contour.hpp"
 #include "geometry/surface.hpp"

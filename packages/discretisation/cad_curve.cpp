@@ -4,8 +4,8 @@
 
 namespace mudline {
 
-CurvePoint CadCurve::start() const { return kind == Kind::general ? runs.front().at(0).x : points.front(); }
-CurvePoint CadCurve::end() const { return kind == Kind::general ? runs.back().at(1).x : points.back(); }
+PlanePoint CadCurve::start() const { return kind == Kind::general ? runs.front().at(0).x : points.front(); }
+PlanePoint CadCurve::end() const { return kind == Kind::general ? runs.back().at(1).x : points.back(); }
 
 CadCurve CadCurve::reversed() const {
   CadCurve result = *this;

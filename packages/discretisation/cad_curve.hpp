@@ -13,10 +13,10 @@ struct CadCurve {
   enum class Kind { line, circle, general };
   int tag;
   Kind kind;
-  std::vector<CurvePoint> points;   // line: its ends; circle: start, a third and two thirds of its length, end
+  std::vector<PlanePoint> points;   // line: its ends; circle: start, a third and two thirds of its length, end
   std::vector<PolynomialRun> runs;  // general: accurate to 1e-11 of the curve's extent
-  CurvePoint start() const;
-  CurvePoint end() const;
+  PlanePoint start() const;
+  PlanePoint end() const;
   CadCurve reversed() const;
   void transfer(ByteStream& s) { s(tag)(kind)(points)(runs); }
 };

@@ -82,7 +82,7 @@ class Curve {
   }
 
  private:
-  CurvePoint at(double t) const {
+  PlanePoint at(double t) const {
     std::vector<double> x;
     gmsh::model::getValue(1, tag_, {t}, x);
     if (std::abs(x.at(2)) > 1e-9 * std::max(std::abs(x[0]), std::abs(x[1])))
@@ -93,9 +93,9 @@ class Curve {
   }
   double extent() const {
     double result = 0;
-    const CurvePoint start = at(from_);
+    const PlanePoint start = at(from_);
     for (int i = 1; i <= 16; ++i) {
-      const CurvePoint here = at(from_ + (to_ - from_) * i / 16);
+      const PlanePoint here = at(from_ + (to_ - from_) * i / 16);
       result = std::max(result, std::hypot(here[0] - start[0], here[1] - start[1]));
     }
     return result;
@@ -103,9 +103,9 @@ class Curve {
   /// Some versions of Gmsh call an ellipse of its own kernel a circle; the chords over equal steps tell them apart.
   bool equal_speed() const {
     double shortest = 1e300, longest = 0;
-    CurvePoint before = at(from_);
+    PlanePoint before = at(from_);
     for (int i = 1; i <= 12; ++i) {
-      const CurvePoint here = at(from_ + (to_ - from_) * i / 12);
+      const PlanePoint here = at(from_ + (to_ - from_) * i / 12);
       const double chord = std::hypot(here[0] - before[0], here[1] - before[1]);
       shortest = std::min(shortest, chord);
       longest = std::max(longest, chord);

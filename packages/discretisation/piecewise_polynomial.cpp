@@ -15,15 +15,15 @@ constexpr int deepest = 44;  // most halvings: an interval around a corner then 
 
 class Fit {
  public:
-  Fit(const std::function<CurvePoint(double)>& f, double tolerance) : f_(f), tolerance_(tolerance) {}
+  Fit(const std::function<PlanePoint(double)>& f, double tolerance) : f_(f), tolerance_(tolerance) {}
 
   /// The interpolant on [from, to]; none where it misses the tolerance halfway between its nodes.
   std::optional<PolynomialRun> run(double from, double to) const {
-    std::vector<CurvePoint> values;
+    std::vector<PlanePoint> values;
     for (int j = 0; j <= degree; ++j) values.push_back(f_(place(from, to, node(j))));
     PolynomialRun result;
     for (int k = 0; k <= degree; ++k) {
-      CurvePoint sum{0, 0};
+      PlanePoint sum{0, 0};
       for (int j = 0; j <= degree; ++j)
         for (int i = 0; i < 2; ++i)
           sum[i] += (j == 0 || j == degree ? 0.5 : 1.0) * values[j][i] * std::cos(pi * j * k / degree);
@@ -33,7 +33,7 @@ class Fit {
     trim(result.coefficients);
     for (int j = 0; j < degree; ++j) {
       const double t = node(j + 0.5);
-      const CurvePoint exact = f_(place(from, to, t)), here = result.at(t).x;
+      const PlanePoint exact = f_(place(from, to, t)), here = result.at(t).x;
       if (!(std::hypot(here[0] - exact[0], here[1] - exact[1]) <= tolerance_)) return std::nullopt;
     }
     return result;
@@ -54,23 +54,23 @@ class Fit {
   static double node(double j) { return 0.5 * (1 + std::cos(pi * j / degree)); }
   static double place(double from, double to, double t) { return t == 1 ? to : from + t * (to - from); }
   /// Drops coefficients that are only rounding, which second derivatives would magnify.
-  static void trim(std::vector<CurvePoint>& c) {
+  static void trim(std::vector<PlanePoint>& c) {
     double size = 0;
-    for (const CurvePoint& a : c) size = std::max(size, std::hypot(a[0], a[1]));
+    for (const PlanePoint& a : c) size = std::max(size, std::hypot(a[0], a[1]));
     while (c.size() > 2 && std::hypot(c.back()[0], c.back()[1]) < 4e-16 * size) c.pop_back();
   }
 
-  const std::function<CurvePoint(double)>& f_;
+  const std::function<PlanePoint(double)>& f_;
   double tolerance_;
 };
 
 }  // namespace
 
-PolynomialRun::Value PolynomialRun::at(double t) const {
+CurvePoint<2> PolynomialRun::at(double t) const {
   const double s = 2 * t - 1;
   // T, T' and T'' by their recurrences; d/dt = 2 d/ds
   double T[2] = {1, s}, D[2] = {0, 1}, S[2] = {0, 0};
-  Value result{};
+  CurvePoint<2> result{};
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
     for (int i = 0; i < 2; ++i) {
       result.x[i] += coefficients[k][i] * T[0];
@@ -92,7 +92,7 @@ PolynomialRun PolynomialRun::reversed() const {
   return result;
 }
 
-std::vector<PolynomialRun> polynomial_runs(const std::function<CurvePoint(double)>& f, double from, double to,
+std::vector<PolynomialRun> polynomial_runs(const std::function<PlanePoint(double)>& f, double from, double to,
                                            double tolerance) {
   const Fit fit(f, tolerance);
   std::vector<double> ends;

@@ -4,22 +4,17 @@
 #include <vector>
 
 #include "discretisation/byte_stream.hpp"
-#include "tensor/vec.hpp"
+#include "tensor/curve_point.hpp"
 
 namespace mudline {
-
-using CurvePoint = Vec<double, 2>;  // [m]
 
 /// One piece (run) of a plane curve, x(t) = sum_k coefficients[k] T_k(2 t - 1) for t in [0, 1], with Chebyshev's
 /// polynomials.
 struct PolynomialRun {
-  std::vector<CurvePoint> coefficients;
+  std::vector<PlanePoint> coefficients;
   void transfer(ByteStream& s) { s(coefficients); }
 
-  struct Value {
-    CurvePoint x, d, dd;  // [m] and its derivatives with respect to t
-  };
-  Value at(double t) const;
+  CurvePoint<2> at(double t) const;
   /// The run in the opposite direction.
   PolynomialRun reversed() const;
 };
@@ -28,7 +23,7 @@ struct PolynomialRun {
 /// [from, to] at equal parameters; as few as needed, with ends at the corners of f and where a derivative of f jumps. A
 /// polynomial spline of degree 12 and less is reproduced to rounding. Empty where f cannot be approximated because it
 /// is not continuous.
-std::vector<PolynomialRun> polynomial_runs(const std::function<CurvePoint(double)>& f, double from, double to,
+std::vector<PolynomialRun> polynomial_runs(const std::function<PlanePoint(double)>& f, double from, double to,
                                            double tolerance);
 
 }  // namespace mudline

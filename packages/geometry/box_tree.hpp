@@ -10,14 +10,18 @@ namespace mudline {
 /// longest side.
 class BoxTree {
  public:
-  explicit BoxTree(const std::vector<Bounds>& boxes);
+  BoxTree() = default;
+  explicit BoxTree(std::vector<Bounds> boxes);
+
+  /// Numbers of the boxes that come within `distance` [m] of a box in every direction, in ascending order.
+  std::vector<int> near(const Bounds& box, double distance) const;
 
   /// Calls visit(number) for the boxes that are nearer to x than the root of `square` [m2], which visit() lowers. The
   /// nearer half comes first.
   template <class Visit>
   void search(const Point& x, const double& square, const Visit& visit) const {
     int stack[2 * max_depth], count = 0;
-    stack[count++] = 0;
+    if (!nodes_.empty()) stack[count++] = 0;
     while (count > 0) {
       const Node& node = nodes_[stack[--count]];
       if (!(square_distance(node.box, x) < square)) continue;
@@ -40,9 +44,10 @@ class BoxTree {
     int right;         // of a branch: its right half; the left one is the next node
   };
   static double square_distance(const Bounds& box, const Point& x);
-  void build(const std::vector<Bounds>& boxes, int first, int count);
+  void build(int first, int count);
 
-  std::vector<Node> nodes_;
+  std::vector<Bounds> boxes_;
+  std::vector<Node> nodes_;  // none without boxes
   std::vector<int> numbers_;
 };
 

@@ -10,7 +10,7 @@ namespace mudline {
 
 namespace {
 
-std::string place(const CurvePoint& x) { return "(" + number_text(x[0]) + ", " + number_text(x[1]) + ")"; }
+std::string place(const PlanePoint& x) { return "(" + number_text(x[0]) + ", " + number_text(x[1]) + ")"; }
 
 }  // namespace
 
@@ -22,14 +22,14 @@ std::vector<CadCurve> backwards(const std::vector<CadCurve>& chain) {
 
 std::vector<CadCurve> chained(const std::vector<CadCurve>& curves, double tolerance, const Section& section,
                               const std::string& entry) {
-  const auto meet = [tolerance](const CurvePoint& a, const CurvePoint& b) {
+  const auto meet = [tolerance](const PlanePoint& a, const PlanePoint& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1]) <= tolerance;
   };
   std::vector<CadCurve> chain{curves.front()}, rest(curves.begin() + 1, curves.end());
   // appends the curve that fits at the end, as long as there is one
   const auto extend = [&] {
     while (!rest.empty()) {
-      const CurvePoint end = chain.back().end();
+      const PlanePoint end = chain.back().end();
       if (meet(end, chain.front().start())) return;  // closed
       std::vector<std::size_t> fitting;
       for (std::size_t i = 0; i < rest.size(); ++i)

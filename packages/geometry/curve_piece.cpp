@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tensor/vec.hpp"
+#include "geometry/closest_on_curve.hpp"
 
 namespace mudline {
 
@@ -22,8 +22,8 @@ constexpr double gauss_weight[gauss_points] = {0.1713244923791704, 0.36076157304
 class MirroredCurve : public ParametricCurve {
  public:
   explicit MirroredCurve(std::shared_ptr<const ParametricCurve> curve) : curve_(std::move(curve)) {}
-  Point at(double t) const override {
-    const Point p = curve_->at(1 - t);
+  CurvePoint<2> at(double t) const override {
+    const CurvePoint<2> p = curve_->at(1 - t);
     return {{-p.x[0], p.x[1]}, {p.d[0], -p.d[1]}, {-p.dd[0], p.dd[1]}};
   }
 
@@ -76,41 +76,16 @@ PlanePoint CurvePiece::tangent(double s) const {
 }
 
 double CurvePiece::curvature(double s) const {
-  const ParametricCurve::Point p = curve_->at(parameter(s));
+  const CurvePoint<2> p = curve_->at(parameter(s));
   return (p.d[0] * p.dd[1] - p.d[1] * p.dd[0]) / std::pow(dot(p.d, p.d), 1.5);
 }
 
 double CurvePiece::closest(const PlanePoint& x) const {
-  int nearest = 0;
-  double best = 1e300;
-  for (int i = 0; i <= runs; ++i) {
-    const PlanePoint d = x - sample_[i];
-    if (dot(d, d) >= best) continue;
-    best = dot(d, d);
-    nearest = i;
-  }
-  // f(t) = (x - x(t)) . x'(t), minus half the slope of the squared distance: positive where the closest point lies
-  // ahead
-  const auto ahead = [&](double t) {
-    const ParametricCurve::Point p = curve_->at(t);
-    return dot(x - p.x, p.d);
-  };
-  double low = std::max(0, nearest - 1) / static_cast<double>(runs),
-         high = std::min(runs, nearest + 1) / static_cast<double>(runs);
-  if (low == 0 && ahead(0) <= 0) return 0;
-  if (high == 1 && ahead(1) >= 0) return length();
-  double t = static_cast<double>(nearest) / runs;
-  for (int i = 0; i < 60; ++i) {
-    const ParametricCurve::Point p = curve_->at(t);
-    const PlanePoint d = x - p.x;
-    const double f = dot(d, p.d), slope = dot(d, p.dd) - dot(p.d, p.d);
-    (f > 0 ? low : high) = t;
-    double next = t - f / slope;
-    if (!(slope < 0) || !(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = next - t;
-    t = next;
-    if (std::abs(step) < 1e-15) break;
-  }
+  const CurveBracket bracket =
+      around_closest_sample(0, 1, runs, [&](int i) { return dot(x - sample_[i], x - sample_[i]); });
+  const double t = closest_on_curve([&](double at) { return curve_->at(at); }, x, bracket);
+  if (t == 0) return 0;
+  if (t == 1) return length();
   const int run = std::min(runs - 1, static_cast<int>(t * runs));
   return start_[run] + arc(static_cast<double>(run) / runs, t);
 }
@@ -119,9 +94,9 @@ std::shared_ptr<const ContourPiece> CurvePiece::mirrored() const {
   return std::make_shared<CurvePiece>(std::make_shared<MirroredCurve>(curve_));
 }
 
-ParametricCurve::Point CubicBezier::at(double t) const {
+CurvePoint<2> CubicBezier::at(double t) const {
   const double u = 1 - t;
-  Point p;
+  CurvePoint<2> p;
   for (int i = 0; i < 2; ++i) {
     p.x[i] = u * u * u * b_[0][i] + 3 * u * u * t * b_[1][i] + 3 * u * t * t * b_[2][i] + t * t * t * b_[3][i];
     p.d[i] = 3 * (u * u * (b_[1][i] - b_[0][i]) + 2 * u * t * (b_[2][i] - b_[1][i]) + t * t * (b_[3][i] - b_[2][i]));
@@ -140,7 +115,7 @@ NurbsSpan::NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoi
 
 // De Boor's algorithm on homogeneous coordinates (w x, w y, w); the derivatives are splines of their control points'
 // divided differences.
-ParametricCurve::Point NurbsSpan::at(double t) const {
+CurvePoint<2> NurbsSpan::at(double t) const {
   using Homogeneous = Vec<double, 3>;
   const double width = knots_[span_ + 1] - knots_[span_], u = knots_[span_] + t * width;
   std::vector<Homogeneous> control;
@@ -169,7 +144,7 @@ ParametricCurve::Point NurbsSpan::at(double t) const {
       }
     level[order] = d[p];
   }
-  Point result;
+  CurvePoint<2> result;
   const double w = level[0][2], dw = level[1][2], ddw = level[2][2];
   for (int i = 0; i < 2; ++i) {
     result.x[i] = level[0][i] / w;

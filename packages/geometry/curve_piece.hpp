@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/contour_piece.hpp"
+#include "tensor/curve_point.hpp"
 
 namespace mudline {
 
@@ -11,10 +12,7 @@ namespace mudline {
 class ParametricCurve {
  public:
   virtual ~ParametricCurve() = default;
-  struct Point {
-    PlanePoint x, d, dd;  // [m] and its derivatives with respect to t
-  };
-  virtual Point at(double t) const = 0;
+  virtual CurvePoint<2> at(double t) const = 0;
 };
 
 /// A curve as a piece of a contour. Arc length by Gauss' rule over short runs; nearest point by Newton's method from
@@ -43,7 +41,7 @@ class CurvePiece : public ContourPiece {
 class CubicBezier : public ParametricCurve {
  public:
   CubicBezier(PlanePoint b0, PlanePoint b1, PlanePoint b2, PlanePoint b3) : b_{b0, b1, b2, b3} {}
-  Point at(double t) const override;
+  CurvePoint<2> at(double t) const override;
 
  private:
   PlanePoint b_[4];
@@ -55,7 +53,7 @@ class NurbsSpan : public ParametricCurve {
   /// Takes the whole spline; the span is [knots[span], knots[span + 1]], which is not empty.
   NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoint> points, std::vector<double> weights,
             int span);
-  Point at(double t) const override;
+  CurvePoint<2> at(double t) const override;
 
  private:
   int degree_, span_;

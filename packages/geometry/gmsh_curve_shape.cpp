@@ -17,10 +17,7 @@ namespace {
 class PolynomialCurve : public ParametricCurve {
  public:
   explicit PolynomialCurve(PolynomialRun run) : run_(std::move(run)) {}
-  Point at(double t) const override {
-    const PolynomialRun::Value value = run_.at(t);
-    return {value.x, value.d, value.dd};
-  }
+  CurvePoint<2> at(double t) const override { return run_.at(t); }
 
  private:
   PolynomialRun run_;
@@ -38,7 +35,7 @@ std::shared_ptr<const ContourPiece> arc(const std::vector<PlanePoint>& x) {
 
 /// Twice the area on the left of the chain, which a straight line closes.
 double signed_area(const std::vector<CadCurve>& chain) {
-  std::vector<CurvePoint> outline;
+  std::vector<PlanePoint> outline;
   for (const CadCurve& curve : chain) {
     outline.insert(outline.end(), curve.points.begin(), curve.points.end());
     for (const PolynomialRun& run : curve.runs)
@@ -51,9 +48,9 @@ double signed_area(const std::vector<CadCurve>& chain) {
 
 double size_of(const std::vector<CadCurve>& curves) {
   double size = 0;
-  const CurvePoint origin = curves.front().start();
+  const PlanePoint origin = curves.front().start();
   for (const CadCurve& curve : curves)
-    for (const CurvePoint& x :
+    for (const PlanePoint& x :
          {curve.start(), curve.end(), curve.kind == CadCurve::Kind::circle ? curve.points[1] : curve.start()})
       size = std::max(size, std::hypot(x[0] - origin[0], x[1] - origin[1]));
   return size;
@@ -90,7 +87,7 @@ CurveSelection GmshCurveShape::selection(const Section& section) const {
 
 ContourPieces GmshCurveShape::pieces_of(const CadCurve& curve) const {
   std::vector<PlanePoint> points;
-  for (const CurvePoint& x : curve.points) points.push_back(placed(x));
+  for (const PlanePoint& x : curve.points) points.push_back(placed(x));
   if (curve.kind == CadCurve::Kind::line) return {std::make_shared<LinePiece>(points[0], points[1])};
   if (curve.kind == CadCurve::Kind::circle) return {arc(points)};
   ContourPieces pieces;
@@ -112,8 +109,8 @@ void GmshCurveShape::check(const Section& section) {
   const auto curves = gmsh_library(position_).read_curves(file_, selection(section), position_);
   const double size = size_of(curves), tolerance = 1e-9 * size;
   std::vector<CadCurve> chain = chained(curves, tolerance, section, entry);
-  const CurvePoint first = chain.front().start(), last = chain.back().end();
-  const auto on_axis = [&](const CurvePoint& x) { return std::abs(x[0] - origin_[0]) <= tolerance; };
+  const PlanePoint first = chain.front().start(), last = chain.back().end();
+  const auto on_axis = [&](const PlanePoint& x) { return std::abs(x[0] - origin_[0]) <= tolerance; };
   if (extent_ == ContourExtent::half) {
     if (!on_axis(first) && !on_axis(last))
       section.fail("a half contour starts on its axis, x = " + number_text(origin_[0]) +

@@ -24,7 +24,7 @@ class GmshCurveShape : public ContourShape {
  private:
   CurveSelection selection(const Section& section) const;
   ContourPieces pieces_of(const CadCurve& curve) const;
-  PlanePoint placed(const CurvePoint& x) const { return {scale_ * (x[0] - origin_[0]), scale_ * (x[1] - origin_[1])}; }
+  PlanePoint placed(const PlanePoint& x) const { return {scale_ * (x[0] - origin_[0]), scale_ * (x[1] - origin_[1])}; }
 
   GmshFile file_;
   std::string group_;

@@ -273,7 +273,7 @@ TEST(RemesherInSpace, DrawnOutFacesAreDividedAndMaterialSidesStay) {
 
 /// The cube has a roof whose ridge crosses edges in their middle, where elements would fold.
 TEST(RemesherInSpace, ElementsOnARidgeAreSound) {
-  RemeshedCube cube(CellShape::tet10, 0.8, "", 2.0);
+  RemeshedCube cube(CellShape::tet10, 0.8, "", 1.9);
   EXPECT_GT(lowest_quality(*cube.anew, cube.now), 0.15);
   const double was = volume(cube.whole, cube.x, points_of(*cube.mesh, 5));
   EXPECT_NEAR(volume(*cube.anew, cube.now, points_of(*cube.next, 5)), was, 0.05 * was);
@@ -298,7 +298,7 @@ TEST(RemesherInSpace, ElementsOnARidgeAreSound) {
 /// Counts elements that have two faces on the roof, without peeling and with peeling of all that are not nearly
 /// perfect.
 TEST(RemesherInSpace, FlatElementsAreTakenOffTheOutside) {
-  RemeshedCube cube(CellShape::tet10, 0.8, "", 2.0);
+  RemeshedCube cube(CellShape::tet10, 0.8, "", 1.9);
   std::map<double, int> flat;
   for (const double below : {0.0, 0.95}) {
     RemeshingParameters deck;

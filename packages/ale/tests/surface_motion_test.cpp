@@ -131,21 +131,57 @@ TEST(MeshSurfaces, RegionsDivide) {
   EXPECT_EQ(split_surfaces(faces, x, {}, 0.5, off).patches.size(), 2u);
 }
 
-TEST(FacePlace, NearestPointOfACurvedFace) {
+TEST(FacePlace, ClosestPointOfACurvedFace) {
   const Grid grid(CellShape::quad9, 4, 2);
   const Places x = grid.places(cylinder, 0.1);
   const SurfaceFace& face = grid.faces[5];
   for (const FacePlace& place : {FacePlace{0.2, -0.7}, FacePlace{-0.9, 0.4}}) {
     const Point n = face_normal(face, place, x);
-    const NearestOnFace found = nearest_on_face(face, face_point(face, place, x) + 0.05 / length(n) * n, x);
+    const ClosestOnSide found = closest_on_side(face, x, face_point(face, place, x) + 0.05 / length(n) * n);
     EXPECT_TRUE(found.inside);
     EXPECT_NEAR(found.distance, 0.05, 1e-12);
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(found.place[i], place[i], 1e-11);
   }
   // beside the face: on its edge
-  const NearestOnFace beside = nearest_on_face(face, face_point(face, {0.3, 1.4}, x), x);
+  const ClosestOnSide beside = closest_on_side(face, x, face_point(face, {0.3, 1.4}, x));
   EXPECT_FALSE(beside.inside);
   EXPECT_NEAR(beside.place[1], 1, 1e-12);
+}
+
+/// Points on all sides of a strongly bent face, near and far: none of a grid on the face is closer than what is found.
+TEST(ClosestOnSide, NoOtherPointOfABentFaceIsCloser) {
+  for (const CellShape shape : {CellShape::tri6, CellShape::quad9}) {
+    Places x;
+    std::vector<int> nodes;
+    for (int a = 0; a < num_nodes(shape); ++a) {
+      const auto xi = reference_node(shape, a);
+      x.push_back({xi[0], xi[1] + 0.1 * xi[0] * xi[0], 0.3 * std::sin(2 * xi[0] + xi[1])});
+      nodes.push_back(a);
+    }
+    for (int k = 0; k < 200; ++k) {
+      const Point at{-2.5 + 0.73 * (k % 7), -2.5 + 0.61 * (k % 8), -0.8 + 0.27 * (k % 9)};
+      const ClosestOnSide found = closest_on_side(shape, nodes.data(), x, at);
+      const auto place = [&](double a, double b) {
+        const double xi[2] = {a, b};
+        double N[9], dN[18];
+        evaluate_shape(shape, xi, N, dN);
+        Point result{};
+        for (int i = 0; i < num_nodes(shape); ++i) result += N[i] * x[i];
+        return result;
+      };
+      EXPECT_NEAR(length(at - place(found.place[0], found.place[1])), found.distance, 1e-13);
+      constexpr int n = 60;
+      double least = 1e300;
+      for (int i = 0; i <= n; ++i)
+        for (int j = 0; j <= (shape == CellShape::tri6 ? n - i : n); ++j) {
+          const double a = 1.0 * i / n, b = 1.0 * j / n;
+          const Point here = shape == CellShape::tri6 ? place(a, b) : place(2 * a - 1, 2 * b - 1);
+          least = std::min(least, length(at - here));
+        }
+      EXPECT_LE(found.distance, least + 1e-12) << k;
+      EXPECT_GE(found.distance, least - 0.06) << k;  // the grid's points are this far apart
+    }
+  }
 }
 
 TEST(SurfaceMotion, ASurfaceAtRestOrTurnedStaysToTheLastBit) {

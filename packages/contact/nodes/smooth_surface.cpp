@@ -153,7 +153,7 @@ void SmoothSurface::update(const ConstCoordinateView& x) {
     set_coefficients(static_cast<int>(i), x);
     boxes.push_back(side_box(pieces_[i].node, pieces_[i].count, x));
   }
-  boxes_.sort(boxes);
+  boxes_ = BoxTree(std::move(boxes));
 }
 
 bool SmoothSurface::projection_on(int index, const PlanePoint& at, const ConstCoordinateView& x, TargetPlace& place,

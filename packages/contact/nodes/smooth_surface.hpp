@@ -59,7 +59,7 @@ class SmoothSurface : public DeformableTarget {
   double overhang_;
   std::vector<SurfacePiece> pieces_;
   std::vector<Origin> origins_;
-  BoxSearch boxes_;
+  BoxTree boxes_;
 };
 
 }  // namespace mudline

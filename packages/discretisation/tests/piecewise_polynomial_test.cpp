@@ -8,7 +8,7 @@ namespace mudline {
 namespace {
 
 TEST(PiecewisePolynomial, SmoothCurveWithItsDerivatives) {
-  const auto f = [](double t) { return CurvePoint{std::cos(3 * t), std::exp(t)}; };
+  const auto f = [](double t) { return PlanePoint{std::cos(3 * t), std::exp(t)}; };
   const auto runs = polynomial_runs(f, 0, 1, 1e-11);
   ASSERT_LE(runs.size(), 2u);
   ASSERT_FALSE(runs.empty());
@@ -26,7 +26,7 @@ TEST(PiecewisePolynomial, SmoothCurveWithItsDerivatives) {
 TEST(PiecewisePolynomial, CutsAtACornerAndAtAJumpOfCurvature) {
   const double corner = 0.3137, jump = 0.711;
   const auto f = [&](double t) {
-    return CurvePoint{t, std::abs(t - corner) + (t > jump ? (t - jump) * (t - jump) : 0.0)};
+    return PlanePoint{t, std::abs(t - corner) + (t > jump ? (t - jump) * (t - jump) : 0.0)};
   };
   const auto runs = polynomial_runs(f, 0, 1, 1e-11);
   ASSERT_GE(runs.size(), 3u);
@@ -42,14 +42,14 @@ TEST(PiecewisePolynomial, CutsAtACornerAndAtAJumpOfCurvature) {
 }
 
 TEST(PiecewisePolynomial, CubicKeepsItsDegree) {
-  const auto f = [](double t) { return CurvePoint{t * t * t - t, 2 * t * t}; };
+  const auto f = [](double t) { return PlanePoint{t * t * t - t, 2 * t * t}; };
   const auto runs = polynomial_runs(f, -1, 2, 1e-11);
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_EQ(runs[0].coefficients.size(), 4u);
 }
 
 TEST(PiecewisePolynomial, GapCannotBeFollowed) {
-  EXPECT_TRUE(polynomial_runs([](double t) { return CurvePoint{t, t < 0.4 ? 0.0 : 1.0}; }, 0, 1, 1e-11).empty());
+  EXPECT_TRUE(polynomial_runs([](double t) { return PlanePoint{t, t < 0.4 ? 0.0 : 1.0}; }, 0, 1, 1e-11).empty());
 }
 
 }  // namespace
