@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/absolute_product.hpp"
 #include "algebra/ordered_sum.hpp"
 #include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
@@ -88,15 +87,6 @@ void split_reactions(const Constraints& constraints, const NodalView& total, con
 
 }  // namespace
 
-void StepTolerances::parameters(Parameters& p) {
-  p.add("residual tolerance", residual, "-", open(0, 1),
-        "forces and fluxes out of balance, relative to what acts in the step: the element contributions, before they "
-        "cancel, of inertia, contact, rates, and of the changes of stresses and loads, per field");
-  p.add("update tolerance", update, "-", open(0, 1),
-        "last Newton update relative to the increment of the step, per field");
-  p.add("linear tolerance", linear, "-", open(0, 1), "residual of the linear solves, relative, per field");
-}
-
 Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms, LinearSolver& solver,
                  std::function<BlockData(const StepView&)> block_data)
     : space_(space),
@@ -105,6 +95,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
       solver_(solver),
       block_data_(std::move(block_data)),
       assembler_(space.dofs()),
+      convergence_(space),
       levels_(space),
       evaluated_(space.dofs()->owned()),
       balance_(space.dofs()->owned()) {
@@ -120,12 +111,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   const int n = space.dofs()->num_overlap_dofs();
   for (NodalView* v : {&reaction_, &total_, &acting_, &whole_}) *v = NodalView("sum of forces", n);
   constraints_ = Constraints(n);
-  measures_.declare_state(store_, space.num_fields());
-  reference_ = rounding_ = matrix_rounding_ = matrix_sizes_ = std::vector<double>(space.num_fields(), 0);
-  double squares = 0;
-  for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
-    for (int i = 0; i < space.mesh().dimension(); ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
-  coordinate_norm_ = std::sqrt(sum_over_ranks(*space.dofs()->comm(), squares));
+  convergence_.declare_state(store_);
   view_.constrained = constraints_.mask;
   view_.sensitivity.resize(space.num_fields());
   activate(terms_);
@@ -277,7 +263,7 @@ bool Stepper::evaluate(const Vector& x, bool jacobian_follows, Vector& f) {
   }
   split_reactions(constraints_, total_, reaction_);
   export_overlap(*space_.dofs(), total_, f);
-  measure();
+  convergence_.measure(acting_, whole_);
   Tpetra::deep_copy(evaluated_, x);
   Tpetra::deep_copy(balance_, f);
   evaluated_at_x_ = true;
@@ -320,7 +306,7 @@ bool Stepper::jacobian(const Vector& x) {
     levels(x);
     if (!add_matrices()) return false;
     chord_.refreshed();
-    measure_rounding(x);
+    convergence_.measure_rounding(*assembler_.matrix(), x);
   }
   solver_.set_matrix(assembler_.matrix(), [this] { return block_data_(view_); });
   return true;
@@ -330,7 +316,7 @@ void Stepper::apply_jacobian(const Vector& v, Vector& jv) { assembler_.matrix()-
 
 bool Stepper::solve(const Vector& f, Vector& dx) {
   const Stopwatch watch(times_.linear);
-  const LinearReport report = solver_.solve(f, dx, {tolerances_.linear, enough_});
+  const LinearReport report = solver_.solve(f, dx, {convergence_.linear_tolerance(), enough_});
   enough_.clear();
   linear_iterations_ += report.iterations;
   factorisations_ += report.factored ? 1 : 0;
@@ -338,91 +324,18 @@ bool Stepper::solve(const Vector& f, Vector& dx) {
   return report.converged;
 }
 
-void Stepper::measure() {
-  Vector sizes(map());
-  export_overlap(*space_.dofs(), acting_, sizes);
-  reference_ = owned_field_norms(*space_.dofs(), sizes);
-  export_overlap(*space_.dofs(), whole_, sizes);
-  rounding_ = owned_field_norms(*space_.dofs(), sizes);
-  for (std::size_t i = 0; i < rounding_.size(); ++i) rounding_[i] = rounding_unit * rounding_[i] + matrix_rounding_[i];
-}
-
-void Stepper::measure_rounding(const Vector& x) {
-  matrix_rounding_ = owned_field_norms(*space_.dofs(), absolute_product(*assembler_.matrix(), x));
-  Vector ones(map());
-  ones.putScalar(1);
-  matrix_sizes_ = owned_field_norms(*space_.dofs(), absolute_product(*assembler_.matrix(), ones));
-  for (int i = 0; i < space_.num_fields(); ++i)
-    matrix_rounding_[i] *= rounding_unit * measures_.limit_matrix(store_.committed(), i, matrix_sizes_[i]);
-}
-
-std::vector<double> Stepper::allowed(const std::vector<double>& least) const {
-  std::vector<double> result;
-  for (int i = 0; i < space_.num_fields(); ++i) {
-    const double floor = StepMeasures::floor_share * measures_.of(store_.committed(), i, StepMeasures::acting);
-    const double reference = std::max({reference_[i], least[i], floor});
-    result.push_back(std::max(tolerances_.residual * reference + rounding_[i], 1e-300));
-  }
-  return result;
-}
-
-std::vector<double> Stepper::residual_ratios(const Vector& f) {
-  norms_ = owned_field_norms(*space_.dofs(), f);
-  // the initial imbalance of the step acts in it, also where no term has responded yet
-  const bool first = first_norms_.empty();
-  if (first) first_norms_ = norms_;
-  limits_ = allowed(norms_ == first_norms_ ? norms_ : std::vector<double>(norms_.size(), 0.0));
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < norms_.size(); ++i) ratios.push_back(norms_[i] == 0 ? 0.0 : norms_[i] / limits_[i]);
-  return ratios;
-}
-
-bool Stepper::at_rounding() const {
-  constexpr double share = 0.1;  // fraction of the bound, which rounding seldom reaches
-  for (std::size_t i = 0; i < norms_.size(); ++i)
-    if (!(norms_[i] <= share * rounding_[i])) return false;
-  return true;
-}
-
 void Stepper::observe(double worst) {
-  // the contraction is measured on the residual, not on a ratio whose reference has grown meanwhile
-  double before = 0;
-  if (!observed_norms_.empty()) {
-    const std::vector<double> limits = allowed(std::vector<double>(norms_.size(), 0.0));
-    for (std::size_t i = 0; i < limits.size(); ++i) before = std::max(before, observed_norms_[i] / limits[i]);
-  }
-  chord_.observe(worst, before);
+  chord_.observe(worst, convergence_.observe());
   // by field, so that no field is solved further than the worst one needs
   const double share = solver_.iterative() ? forcing_.next(worst) : 0.0;
   enough_.clear();
   if (share > 0)
-    for (const double limit : limits_) enough_.push_back(share * worst * limit);
-  observed_norms_ = norms_;
-}
-
-std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
-  Vector increment(x, Teuchos::Copy);
-  increment.update(-1, owned_part(*space_.dofs(), store_.committed().value), 1);
-  const auto update = owned_field_norms(*space_.dofs(), dx), step = owned_field_norms(*space_.dofs(), increment),
-             size = owned_field_norms(*space_.dofs(), x);
-  std::vector<double> ratios;
-  for (int i = 0; i < space_.num_fields(); ++i) {
-    // displacements have the rounding of the coordinates, pressures that of the largest value so far
-    const double place = space_.field(i).time_order == 2 ? coordinate_norm_ : 0.0,
-                 value = measures_.of(store_.committed(), i, StepMeasures::value);
-    const double rounding = 1e-14 * std::max({size[i], value, place});
-    const double allowed = tolerances_.update * step[i] + rounding;
-    ratios.push_back(update[i] == 0 ? 0.0 : update[i] / std::max(allowed, 1e-300));
-  }
-  return ratios;
+    for (const double limit : convergence_.limits()) enough_.push_back(share * worst * limit);
 }
 
 Vector Stepper::begin(const StepRequest& request, const StepTolerances& tolerances) {
-  tolerances_ = tolerances;
+  convergence_.begin_step(tolerances);
   linear_iterations_ = factorisations_ = 0;
-  for (auto* sizes : {&matrix_rounding_, &matrix_sizes_}) std::fill(sizes->begin(), sizes->end(), 0.0);
-  first_norms_.clear();
-  observed_norms_.clear();
   prepare_view(request, StepView::Kind::step);
   constrain(request);
   check_chord();
@@ -490,12 +403,12 @@ bool Stepper::extrapolate(Vector& x) {
   if (change.norm2() == 0) return false;
   // A body that stops or presses against something stiff is further from the solution after a step at its old rate.
   const bool here = evaluate(x, false, f);
-  const std::vector<double> norms = owned_field_norms(*space_.dofs(), f), reference = reference_;
+  const std::vector<double> norms = owned_field_norms(*space_.dofs(), f), acting = convergence_.acting();
   if (!residual(guess, f)) return false;
   const std::vector<double> moved_norms = owned_field_norms(*space_.dofs(), f);
   double resting = 0, moving = 0;
   for (int i = 0; i < space_.num_fields(); ++i) {
-    const double scale = std::max({reference[i], reference_[i], 1e-300});
+    const double scale = std::max({acting[i], convergence_.acting()[i], 1e-300});
     resting = std::max(resting, norms[i] / scale);
     moving = std::max(moving, moved_norms[i] / scale);
   }
@@ -578,7 +491,7 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
     forcing_.forget();
     return report;
   }
-  take_measures(owned_field_norms(*space_.dofs(), x));
+  convergence_.accept(x);
   return report;
 }
 

@@ -9,20 +9,13 @@
 #include "framework/constraints.hpp"
 #include "framework/term_faces.hpp"
 #include "integrator/chord.hpp"
+#include "integrator/convergence.hpp"
 #include "integrator/forcing.hpp"
 #include "integrator/levels.hpp"
 #include "integrator/newton.hpp"
 #include "integrator/time_scheme.hpp"
 
 namespace mudline {
-
-/// Tolerances of one step.
-struct StepTolerances {
-  double residual = 1e-6;  // relative to the size of what acts in the step, before cancellation, per field
-  double update = 1e-4;    // relative to the increment of the step, per field
-  double linear = 1e-8;
-  void parameters(Parameters& p);
-};
 
 /// Definition of one step.
 struct StepRequest {
@@ -47,36 +40,6 @@ struct StepReport {
 /// Wall-clock seconds of this rank spent so far.
 struct StepTimes {
   double residual = 0, jacobian = 0, linear = 0;
-};
-
-/// Reference sizes for the convergence tests of the coming steps: the state array "step measures" with a row per field.
-class StepMeasures {
- public:
-  /// Floor of the reference as a fraction of its largest value in the stage: late in a stage, when all rates have
-  /// decayed, tiny changes need not be resolved.
-  static constexpr double floor_share = 1e-6;
-  enum Column {
-    acting,  // largest size of what acted in a step of the stage so far, or of its rounding: gives the floor
-    value,   // largest norm of the field so far, for its rounding
-    matrix   // size of the last matrix of the stage; 0: none yet
-  };
-
-  void declare_state(StateStore& store, int fields) {
-    array_ = store.declare(
-        ArrayInfo::of_model("step measures", {{"acting", 1, "SI"}, {"value", 1, "SI"}, {"matrix", 1, "SI"}}, fields)
-            .not_shown());
-  }
-  double& of(const State& state, int field, Column column) const { return state.arrays[array_](field, column); }
-  /// Factor that limits a matrix size to a million times the last one (that of a step a thousand times shorter). At an
-  /// iterate far from a solution the tangent of a law may be huge, and the rounding estimate from it would accept any
-  /// residual.
-  double limit_matrix(const State& state, int field, double size) const {
-    const double last = of(state, field, matrix);
-    return last > 0 ? std::min(1.0, 1e6 * last / size) : 1.0;
-  }
-
- private:
-  int array_ = -1;
 };
 
 /// One step as a transaction: begin (predictor, search) -> Newton on pure evaluations -> accept or nothing. Translates
@@ -137,10 +100,7 @@ class Stepper : public NonlinearProblem {
   StateStore& store() { return store_; }
   const Assembler& assembler() const { return assembler_; }
   const StepTimes& times() const { return times_; }
-  /// Forgets what acted in the stage before.
-  void begin_stage();
-  /// Largest norm of each field so far, the last attempt among them.
-  std::vector<double> largest_norms() const;
+  Convergence& convergence() { return convergence_; }
 
   // NonlinearProblem
   RCP<const Map> map() const override { return space_.dofs()->owned(); }
@@ -148,9 +108,11 @@ class Stepper : public NonlinearProblem {
   bool jacobian(const Vector& x) override;
   void apply_jacobian(const Vector& v, Vector& jv) override;
   bool solve(const Vector& f, Vector& dx) override;
-  std::vector<double> residual_ratios(const Vector& f) override;
-  std::vector<double> update_ratios(const Vector& dx, const Vector& x) override;
-  bool at_rounding() const override;
+  std::vector<double> residual_ratios(const Vector& f) override { return convergence_.residual_ratios(f); }
+  std::vector<double> update_ratios(const Vector& dx, const Vector& x) override {
+    return convergence_.update_ratios(dx, x);
+  }
+  bool at_rounding() const override { return convergence_.at_rounding(); }
   void observe(double worst) override;
 
  private:
@@ -195,18 +157,9 @@ class Stepper : public NonlinearProblem {
   /// Evaluates Term::residual into `force` through `to`; a term that throws or returns a non-finite value counts as
   /// failed.
   int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
-  /// Computes the sizes of what acts and of rounding at the last evaluation.
-  void measure();
-  /// Computes the rounding of the residual that the rounding of the unknowns causes through the matrix.
-  void measure_rounding(const Vector& x);
-  /// Residual allowed per field, whose reference is at least `least`.
-  std::vector<double> allowed(const std::vector<double>& least) const;
   /// Assembles the matrices of all active terms. Returns false, with the reason in failure_, where a term throws on
   /// some rank. Collective.
   bool add_matrices();
-
-  /// Relative rounding error of a sum of contributions, with that of the contributions themselves.
-  static constexpr double rounding_unit = 1e-14;
 
   const Space& space_;
   StateStore& store_;
@@ -221,20 +174,11 @@ class Stepper : public NonlinearProblem {
   Assembler assembler_;
   StepView view_;
   TimeScheme scheme_;
-  StepTolerances tolerances_;
   Constraints constraints_;
+  Convergence convergence_;
   Levels levels_;
   NodalView reaction_, total_, acting_, whole_;
   std::vector<NodalView> force_;
-  // By field: size of what acts at the last evaluation, rounding of residual and matrix, size of the matrix, residual
-  // norms of the first and of the last measured iterate, the allowed norm of the latter, and norms of the previously
-  // observed iterate.
-  std::vector<double> reference_, rounding_, matrix_rounding_, matrix_sizes_, first_norms_, norms_, limits_,
-      observed_norms_;
-  /// Takes the sizes of a converged step; `norms`: of the values at its end.
-  void take_measures(const std::vector<double>& norms);
-  StepMeasures measures_;
-  double coordinate_norm_ = 0;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;

@@ -58,7 +58,7 @@ double Stepper::misfit_of_rates(const StepRequest& request, const StepTolerances
   // a jump at the start of the stage, such as a sudden load, is no motion and is subtracted
   Vector jump(map()), resting(map()), moving(map());
   if (!imbalance(instant, false, jump) || !imbalance(slow, false, resting)) return 1;
-  const std::vector<double> acting = reference_;
+  const std::vector<double> acting = convergence_.acting();
   if (!imbalance(slow, true, moving)) return 1;
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).time_order == 2) continue;
@@ -69,7 +69,7 @@ double Stepper::misfit_of_rates(const StepRequest& request, const StepTolerances
   const auto still = owned_field_norms(*space_.dofs(), resting), moved = owned_field_norms(*space_.dofs(), moving);
   double without = 0, with = 0;
   for (int f = 0; f < space_.num_fields(); ++f) {
-    const double scale = std::max({acting[f], reference_[f], 1e-300});
+    const double scale = std::max({acting[f], convergence_.acting()[f], 1e-300});
     without = std::max(without, still[f] / scale);
     with = std::max(with, moved[f] / scale);
   }
@@ -177,32 +177,6 @@ bool Stepper::initialise_rates(const StepRequest& request, double linear_toleran
       for (int i = begin; i < end; ++i)
         (space_.field(f).time_order == 2 ? state.acceleration : state.rate)(i) = result(i);
   return true;
-}
-
-void Stepper::take_measures(const std::vector<double>& norms) {
-  const State &old = store_.committed(), &now = store_.trial();
-  for (int f = 0; f < space_.num_fields(); ++f) {
-    const auto raise = [&](StepMeasures::Column column, double size) {
-      measures_.of(now, f, column) = std::max(measures_.of(old, f, column), size);
-    };
-    raise(StepMeasures::acting,
-          std::max(reference_[f], rounding_[f] / (StepMeasures::floor_share * tolerances_.residual)));
-    raise(StepMeasures::value, norms[f]);
-    if (matrix_sizes_[f] > 0)
-      measures_.of(now, f, StepMeasures::matrix) = matrix_sizes_[f] * measures_.limit_matrix(old, f, matrix_sizes_[f]);
-  }
-}
-
-void Stepper::begin_stage() {
-  for (int f = 0; f < space_.num_fields(); ++f)
-    for (const auto column : {StepMeasures::acting, StepMeasures::matrix})
-      measures_.of(store_.committed(), f, column) = 0;
-}
-
-std::vector<double> Stepper::largest_norms() const {
-  std::vector<double> result;
-  for (int f = 0; f < space_.num_fields(); ++f) result.push_back(measures_.of(store_.trial(), f, StepMeasures::value));
-  return result;
 }
 
 }  // namespace mudline

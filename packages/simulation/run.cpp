@@ -171,7 +171,7 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.next_dt = stage.control.initial;
   count_increment(0);
   progress_.last_dt = 0;
-  model_->stepper().begin_stage();
+  model_->stepper().convergence().begin_stage();
   if (!model_->stepper().refresh_history()) {
     log::error("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
                model_->stepper().hints());
@@ -261,7 +261,7 @@ LocalError Run::local_error(const Stage& stage) const {
   Stepper& stepper = model_->stepper();
   return TimeError(model_->space())
       .measure(stepper.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
-               stepper.largest_norms(), stage.control.error_tolerance);
+               stepper.convergence().largest_norms(), stage.control.error_tolerance);
 }
 
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
