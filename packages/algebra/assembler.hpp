@@ -94,7 +94,7 @@ struct MatrixScatter {
   }
 
  private:
-  /// The same for k (row, column), row after row. A call, because many loops use it.
+  /// Adds k of any size: (row, column), row after row. It is called, not inlined, because many loops use it.
   [[gnu::noinline]] KOKKOS_FUNCTION void add(int e, int row0, int rows, int column0, int columns, const double* k,
                                              double weight) const {
     if (buffer.used()) return keep(e - buffer.first, row0, rows, column0, columns, k, weight);

@@ -34,7 +34,7 @@ class Convergence {
   void measure_rounding(const CrsMatrix& matrix, const Vector& x);
   /// Norms of a residual over those allowed, by field: at most 1 where it has converged.
   std::vector<double> residual_ratios(const Vector& f);
-  /// The same for the update dx that led to x.
+  /// Norms of the update dx that led to x over those allowed, by field.
   std::vector<double> update_ratios(const Vector& dx, const Vector& x) const;
   /// Whether the last residual is at its rounding.
   bool at_rounding() const;
