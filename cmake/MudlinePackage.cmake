@@ -18,6 +18,11 @@ if(CCACHE_PROGRAM)  # paths relative to the checkout: clones share what was comp
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
     CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
   set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
+  # Precompiled headers are looked up by the content of the headers, apart from what earlier versions stored. By
+  # preprocessed text a changed comment found the old ones, in which g++ does not recognise the changed header, and all
+  # that it declares was declared twice.
+  string(REPLACE CCACHE_NOHASHDIR=1 "CCACHE_NOHASHDIR=1;CCACHE_DEPEND=1;CCACHE_NAMESPACE=mudline-precompiled"
+    precompiled_launcher "${CMAKE_CXX_COMPILER_LAUNCHER}")
 endif()
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=lld MUDLINE_HAVE_LLD)
@@ -49,7 +54,8 @@ endif()
 # time only: every source still includes what it uses, which the presets debug and sanitize check by doing without.
 function(mudline_precompiled name)
   add_library(mudline_precompiled_${name} OBJECT ${CMAKE_SOURCE_DIR}/cmake/precompiled.cpp)
-  set_target_properties(mudline_precompiled_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(mudline_precompiled_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON
+    CXX_COMPILER_LAUNCHER "${precompiled_launcher}")
   target_include_directories(mudline_precompiled_${name} PRIVATE ${CMAKE_SOURCE_DIR}/packages)
   target_link_libraries(mudline_precompiled_${name} PRIVATE mudline_flags mudline::trilinos)
   target_precompile_headers(mudline_precompiled_${name} PRIVATE <algorithm> <array> <cmath> <functional> <map> <memory>
