@@ -9,13 +9,14 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 include(MudlineLauncher)
 mudline_launcher(mudline_mpiexec ${MPIEXEC_EXECUTABLE})
 
-# mudline_test(NAME LABELS word... {SCRIPT file.py | COMMAND program} [argument...] [RANKS n] [ENVIRONMENT name=value...])
+# mudline_test(NAME LABELS word... {SCRIPT file.py | COMMAND program} [argument...] [RANKS n]
+#              [ENVIRONMENT name=value...])
 #
 # SCRIPT is a Python file of the calling folder. RANKS: processors that it takes.
 #
-# tests/support/cpu_limit.py ends what never would: a test that runs away, after `cpu` seconds on processors of all that it
-# starts, and one that hangs, by the clock. The limit is one for all and some five times what the dearest test takes on a
-# quick processor, so that a slow one fails none.
+# tests/support/cpu_limit.py ends what never would: a test that runs away, after `cpu` seconds on processors of all that
+# it starts, and one that hangs, by the clock. The limit is one for all and some five times what the dearest test takes
+# on a quick processor, so that a slow one fails none.
 function(mudline_test name)
   cmake_parse_arguments(arg "" "RANKS" "LABELS;SCRIPT;COMMAND;ENVIRONMENT" ${ARGN})
   set(cpu 900)

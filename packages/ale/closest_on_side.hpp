@@ -4,6 +4,12 @@
 
 namespace mudline {
 
+/// Position and tangents of a face of elements in space at one place.
+struct FaceMap {
+  Point at{}, along[2] = {};  // [m], and its derivatives by the reference coordinates
+  FaceMap(CellShape shape, const int* nodes, const Positions& x, const Vec<double, 2>& place);
+};
+
 /// The closest point of a side of an element to a point.
 struct ClosestOnSide {
   Vec<double, 2> place{};   // reference coordinates of the side; of a line the first

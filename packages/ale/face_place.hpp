@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "ale/closest_on_side.hpp"
 #include "tensor/vec.hpp"
 
@@ -31,6 +29,7 @@ inline Point without_bulge(const Point& at, const Point& centre, const Point& no
   return excess > 0 ? at - excess * normal : at;
 }
 
+/// The closest point of a face of the mesh's surfaces.
 ClosestOnSide closest_on_side(const SurfaceFace& face, const Positions& x, const Point& point, double least = 1e300);
 
 }  // namespace mudline

@@ -140,7 +140,7 @@ class Neighbourhood {
       rank_of.push_back(static_cast<int>(n[0]));
       boxes.push_back({{n[1], n[2], n[3]}, {n[4], n[5], n[6]}});
     }
-    const BoxTree tree(boxes);
+    const BoxTree tree(std::move(boxes));
     std::vector<Ids> to(comm.getSize());
     std::vector<char> asks(comm.getSize());
     for (const ElementBlock& block : mesh_.blocks())

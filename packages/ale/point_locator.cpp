@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "ale/closest_on_side.hpp"
 #include "discretisation/element_map.hpp"
@@ -86,7 +87,7 @@ const BoxTree& PointLocator::boxes(int block) const {
       }
       boxes.push_back(box);
     }
-    boxes_[block] = std::make_unique<const BoxTree>(boxes);
+    boxes_[block] = std::make_unique<const BoxTree>(std::move(boxes));
   }
   return *boxes_[block];
 }
@@ -99,12 +100,7 @@ MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {
     for (int s = 0; s < num_sides(element.shape); ++s) {
       if (element.neighbours[s] != GhostedMesh::outside) continue;
       std::vector<int> nodes;
-      double size = 0;
-      for (int a : side_nodes(element.shape, s)) {
-        nodes.push_back(element.nodes[a]);
-        size = std::max(size, length(x_[nodes.back()] - x_[nodes.front()]));
-      }
-      if (length(x_[nodes.front()] - point) - 2 * size > least) continue;
+      for (int a : side_nodes(element.shape, s)) nodes.push_back(element.nodes[a]);
       const ClosestOnSide there = closest_on_side(side_shape(element.shape, s), nodes.data(), x_, point, least);
       if (there.distance >= least) continue;
       least = there.distance;

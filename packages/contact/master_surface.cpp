@@ -50,7 +50,7 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
   }
 }
 
-void MasterSurface::sort(const ConstCoordinateView& x) {
+void MasterSurface::update(const ConstCoordinateView& x) {
   std::vector<Bounds> boxes;
   for (const MasterSide& side : sides_) boxes.push_back(side_box(side.node, side.count, x));
   boxes_ = BoxTree(std::move(boxes));

@@ -24,8 +24,8 @@ class MasterSurface {
   /// The sides, in an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
   const std::vector<MasterSide>& sides() const { return sides_; }
 
-  /// Prepares near(): the sides' boxes at these coordinates.
-  void sort(const ConstCoordinateView& x);
+  /// Sets the coordinates for near().
+  void update(const ConstCoordinateView& x);
   /// Sides whose boxes come within `distance` [m] of the box, in ascending order.
   std::vector<int> near(const Bounds& box, double distance) const { return boxes_.near(box, distance); }
 

@@ -39,7 +39,8 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
       if (block.scalars > 1) return of_scalars(std::integral_constant<int, 2>{});
     if constexpr (Scalars > 0)
       if (block.scalars > 0) return of_scalars(std::integral_constant<int, 1>{});
-    return f(coordinates, ElementShapes<N, 0, 0>{});
+    if (block.moves()) return f(coordinates, ElementShapes<N, 0, 0>{});
+    throw std::logic_error("a loop without scalar fields needs a block with the displacement");
   };
   return with_coordinates(geometry, [&](auto coordinates) -> Result {
     using Cells = std::conditional_t<decltype(coordinates)::dim == 3, SpaceCells, PlaneCells>;

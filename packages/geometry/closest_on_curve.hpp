@@ -9,22 +9,23 @@ namespace mudline {
 /// Parameters between which a curve has one closest point, and the one to begin with.
 struct CurveBracket {
   double low, high, start;
+  double square;  // squared distance at the start [m2]
 };
 
-/// The bracket around the closest of samples at equal steps from `low` to `high`. `square(i)`: squared distance of
-/// sample i from 0 to `steps` [m2].
+/// The bracket around the closest of samples at equal steps from `low` to `high`. `square(i, t)`: squared distance of
+/// sample i, from 0 to `steps`, which has the parameter t [m2].
 template <class Square>
 CurveBracket around_closest_sample(double low, double high, int steps, const Square& square) {
+  const auto at = [&](int i) { return i <= 0 ? low : i >= steps ? high : low + (high - low) * i / steps; };
   int nearest = 0;
   double least = 1e300;
   for (int i = 0; i <= steps; ++i) {
-    const double here = square(i);
+    const double here = square(i, at(i));
     if (here >= least) continue;
     least = here;
     nearest = i;
   }
-  const auto at = [&](int i) { return i <= 0 ? low : i >= steps ? high : low + (high - low) * i / steps; };
-  return {at(nearest - 1), at(nearest + 1), at(nearest)};
+  return {at(nearest - 1), at(nearest + 1), at(nearest), least};
 }
 
 /// The parameter of a curve's closest point to x, by Newton's method, held in the bracket by bisection. `curve(t)`

@@ -82,7 +82,7 @@ double CurvePiece::curvature(double s) const {
 
 double CurvePiece::closest(const PlanePoint& x) const {
   const CurveBracket bracket =
-      around_closest_sample(0, 1, runs, [&](int i) { return dot(x - sample_[i], x - sample_[i]); });
+      around_closest_sample(0, 1, runs, [&](int i, double) { return dot(x - sample_[i], x - sample_[i]); });
   const double t = closest_on_curve([&](double at) { return curve_->at(at); }, x, bracket);
   if (t == 0) return 0;
   if (t == 1) return length();

@@ -92,7 +92,7 @@ TriangulatedSurface::TriangulatedSurface(const SurfaceTriangles& triangles) {
     bounds_.enclose(boxes.back().low);
     bounds_.enclose(boxes.back().high);
   }
-  tree_ = std::make_unique<const BoxTree>(boxes);
+  tree_ = std::make_unique<const BoxTree>(std::move(boxes));
 }
 
 SurfaceProjection TriangulatedSurface::closest(const Point& x) const {

@@ -28,7 +28,7 @@ void StepTolerances::parameters(Parameters& p) {
   p.add("linear tolerance", linear, "-", open(0, 1), "residual of the linear solves, relative, per field");
 }
 
-Convergence::Convergence(const Space& space) : space_(space) {
+Convergence::Convergence(const Space& space, StateStore& store) : space_(space), store_(store) {
   acting_ = rounding_ = matrix_rounding_ = matrix_sizes_ = std::vector<double>(space.num_fields(), 0);
   double squares = 0;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
@@ -36,17 +36,16 @@ Convergence::Convergence(const Space& space) : space_(space) {
   coordinate_norm_ = std::sqrt(sum_over_ranks(*space.dofs()->comm(), squares));
 }
 
-void Convergence::declare_state(StateStore& store) {
-  store_ = &store;
-  array_ =
-      store.declare(ArrayInfo::of_model("step measures", {{"acting", 1, "SI"}, {"value", 1, "SI"}, {"matrix", 1, "SI"}},
-                                        space_.num_fields())
-                        .not_shown());
+void Convergence::declare_state() {
+  array_ = store_.declare(ArrayInfo::of_model("step measures",
+                                              {{"acting", 1, "SI"}, {"value", 1, "SI"}, {"matrix", 1, "SI"}},
+                                              space_.num_fields())
+                              .not_shown());
 }
 
 void Convergence::begin_stage() {
   for (int f = 0; f < space_.num_fields(); ++f)
-    for (const auto column : {most_acting, matrix}) of(store_->committed(), f, column) = 0;
+    for (const auto column : {most_acting, matrix}) of(store_.committed(), f, column) = 0;
 }
 
 void Convergence::begin_step(const StepTolerances& tolerances) {
@@ -77,14 +76,14 @@ void Convergence::measure_rounding(const CrsMatrix& jacobian, const Vector& x) {
 /// At an iterate far from a solution the tangent of a law may be huge, and the rounding estimate from it would accept
 /// any residual.
 double Convergence::limit_matrix(int field) const {
-  const double last = of(store_->committed(), field, matrix);
+  const double last = of(store_.committed(), field, matrix);
   return last > 0 ? std::min(1.0, 1e6 * last / matrix_sizes_[field]) : 1.0;
 }
 
 std::vector<double> Convergence::allowed(const std::vector<double>& least) const {
   std::vector<double> result;
   for (int i = 0; i < space_.num_fields(); ++i) {
-    const double floor = floor_share * of(store_->committed(), i, most_acting);
+    const double floor = floor_share * of(store_.committed(), i, most_acting);
     const double reference = std::max({acting_[i], least[i], floor});
     result.push_back(std::max(tolerances_.residual * reference + rounding_[i], 1e-300));
   }
@@ -103,14 +102,14 @@ std::vector<double> Convergence::residual_ratios(const Vector& f) {
 
 std::vector<double> Convergence::update_ratios(const Vector& dx, const Vector& x) const {
   Vector increment(x, Teuchos::Copy);
-  increment.update(-1, owned_part(*space_.dofs(), store_->committed().value), 1);
+  increment.update(-1, owned_part(*space_.dofs(), store_.committed().value), 1);
   const auto update = owned_field_norms(*space_.dofs(), dx), step = owned_field_norms(*space_.dofs(), increment),
              size = owned_field_norms(*space_.dofs(), x);
   std::vector<double> ratios;
   for (int i = 0; i < space_.num_fields(); ++i) {
     // displacements have the rounding of the coordinates, pressures that of the largest value so far
     const double place = space_.field(i).time_order == 2 ? coordinate_norm_ : 0.0;
-    const double rounding = rounding_unit * std::max({size[i], of(store_->committed(), i, value), place});
+    const double rounding = rounding_unit * std::max({size[i], of(store_.committed(), i, value), place});
     const double allowed = tolerances_.update * step[i] + rounding;
     ratios.push_back(update[i] == 0 ? 0.0 : update[i] / std::max(allowed, 1e-300));
   }
@@ -136,7 +135,7 @@ double Convergence::observe() {
 
 void Convergence::accept(const Vector& x) {
   const std::vector<double> norms = owned_field_norms(*space_.dofs(), x);
-  const State &old = store_->committed(), &now = store_->trial();
+  const State &old = store_.committed(), &now = store_.trial();
   for (int f = 0; f < space_.num_fields(); ++f) {
     const auto raise = [&](Column column, double size) { of(now, f, column) = std::max(of(old, f, column), size); };
     raise(most_acting, std::max(acting_[f], rounding_[f] / (floor_share * tolerances_.residual)));
@@ -147,7 +146,7 @@ void Convergence::accept(const Vector& x) {
 
 std::vector<double> Convergence::largest_norms() const {
   std::vector<double> result;
-  for (int f = 0; f < space_.num_fields(); ++f) result.push_back(of(store_->trial(), f, value));
+  for (int f = 0; f < space_.num_fields(); ++f) result.push_back(of(store_.trial(), f, value));
   return result;
 }
 

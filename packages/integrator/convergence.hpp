@@ -22,8 +22,9 @@ struct StepTolerances {
 /// steps before are the state array "step measures", with a row per field. All that takes a vector is collective.
 class Convergence {
  public:
-  explicit Convergence(const Space& space);
-  void declare_state(StateStore& store);
+  /// Both must outlive it.
+  Convergence(const Space& space, StateStore& store);
+  void declare_state();
 
   /// Forgets what acted in the stage before.
   void begin_stage();
@@ -64,7 +65,7 @@ class Convergence {
   double limit_matrix(int field) const;
 
   const Space& space_;
-  StateStore* store_ = nullptr;
+  StateStore& store_;
   int array_ = -1;
   StepTolerances tolerances_;
   double coordinate_norm_ = 0;

@@ -95,7 +95,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
       solver_(solver),
       block_data_(std::move(block_data)),
       assembler_(space.dofs()),
-      convergence_(space),
+      convergence_(space, store),
       levels_(space),
       evaluated_(space.dofs()->owned()),
       balance_(space.dofs()->owned()) {
@@ -111,7 +111,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   const int n = space.dofs()->num_overlap_dofs();
   for (NodalView* v : {&reaction_, &total_, &acting_, &whole_}) *v = NodalView("sum of forces", n);
   constraints_ = Constraints(n);
-  convergence_.declare_state(store_);
+  convergence_.declare_state();
   view_.constrained = constraints_.mask;
   view_.sensitivity.resize(space.num_fields());
   activate(terms_);

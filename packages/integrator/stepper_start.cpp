@@ -1,5 +1,4 @@
-// Evaluations of a committed state outside of steps: F_n, static residual, rates and initial accelerations; and sizes
-// that are kept from step to step.
+// Evaluations of a committed state outside of steps: F_n, static residual, rates and initial accelerations.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -77,8 +77,9 @@ def with_free(name, entries, message, mass=MASS, at=None, **where):
 def with_pair(name, entry, message, more=()):
     """Top and bottom of the box as two surfaces, with one entry more, and what else it takes."""
     both = parameter("slave", "string", "top") + parameter("master", "string", "bottom")
-    return wrong(name, before("boundary conditions", "\n".join([section("contacts"), section("face"), parameter("type", "string", "point to face"), both, entry, *more,
-                                                                "</ParameterList>", "</ParameterList>"]) + "\n  "), message, at=entry)
+    lines = [section("contacts"), section("face"), parameter("type", "string", "point to face"), both, entry, *more,
+             "</ParameterList>", "</ParameterList>"]
+    return wrong(name, before("boundary conditions", "\n".join(lines) + "\n  "), message, at=entry)
 
 
 DECKS = [
@@ -216,8 +217,8 @@ DECKS = [
               "contacts/face/slave heat share: has a meaning only with 'friction', which makes the heat"),
     with_pair("heat share without temperature", parameter("slave heat share", "double", "0.5"),
               "contacts/face/slave heat share: needs a model with the field 'temperature'",
-              more=[section("friction"), parameter("type", "string", "coulomb"), parameter("coefficient", "double", "0.3"),
-                    "</ParameterList>"]),
+              more=[section("friction"), parameter("type", "string", "coulomb"),
+                    parameter("coefficient", "double", "0.3"), "</ParameterList>"]),
     with_pair("conductance of a pair", parameter("conductance", "double", "1e-9"), "contacts/face/conductance: has a meaning only with 'drainage' = leaky"),
     with_pair("pair of too high a degree", parameter("quadrature degree", "int", "9"), "contacts/face/quadrature degree: 9 is out of range; allowed: [1, 8]"),
     with_pair("pair without a master", parameter("mster", "string", "bottom"), "contacts/face/mster: unknown parameter (did you mean 'master'?)"),

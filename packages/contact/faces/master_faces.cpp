@@ -45,7 +45,7 @@ Point MasterFaces::normal_at(int face, int node, const ConstCoordinateView& x) c
 }
 
 void MasterFaces::update(const ConstCoordinateView& x) {
-  surface_.sort(x);
+  surface_.update(x);
   for (int f = 0; f < pieces(); ++f)
     for (int a = 0; a < surface_.sides()[f].count; ++a) {
       Point sum{};

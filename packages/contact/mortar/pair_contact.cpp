@@ -74,7 +74,7 @@ void PairContact::sparsity(Assembler& assembler) {
   const auto& x = context_.space.mesh().coordinates();
   const auto& sides = slave_->sides();
   const double distance = deck_.reach > 0 ? deck_.reach : 1e300;
-  master_->sort(x);
+  master_->update(x);
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto box = side_box(sides[s].node, sides[s].count, x);
     for (int m : master_->near(box, distance)) {
@@ -97,7 +97,7 @@ void PairContact::begin(const StepView& view) {
   const double longest = slave_->longest(view.x_old);
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : longest;
   touch_ = 1e-9 * longest;
-  master_->sort(view.x_old);
+  master_->update(view.x_old);
   pairs_.clear();
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto box = side_box(sides[s].node, sides[s].count, view.x_old);
@@ -261,7 +261,7 @@ void PairContact::check_overlap(const Section& section) const {
   look.capture = 4 * capture_;
   look.penalty = 1;
   double deepest = 0;
-  master_->sort(x);
+  master_->update(x);
   PairForce force;
   for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
     const SurfaceSide& side = slave_->sides()[s];

@@ -26,14 +26,13 @@ PlanePoint piece_direction(const SurfacePiece& piece, const PieceCoordinates& no
 
 PieceProjection closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x,
                                  double low, double high) {
-  constexpr int steps = 8;
   const auto curve = [&](double eta) { return curve_at(piece, nodes, eta); };
-  const auto square = [&](int i) {
-    const PlanePoint offset = x - curve(low + (high - low) * i / steps).x;
+  const auto square = [&](int, double eta) {
+    const PlanePoint offset = x - curve(eta).x;
     return dot(offset, offset);
   };
   PieceProjection result;
-  result.eta = closest_on_curve(curve, x, around_closest_sample(low, high, steps, square));
+  result.eta = closest_on_curve(curve, x, around_closest_sample(low, high, 8, square));
   result.distance = length(x - curve(result.eta).x);
   result.at_low = result.eta == low;
   result.at_high = result.eta == high;

@@ -190,6 +190,16 @@ TEST(ElementLoop, TheTangentIsTheDifferencedResidual) {
   EXPECT_LT((error_of_tangent<Space3, ElementShapes<8, 8, 1>>(Geometry::space, "hex8")), 1e-8);
 }
 
+/// A force on the displacement that asks for no scalar fields.
+struct Drag : PointLaw {
+  static constexpr bool forces = true, motion = false, scalars = false;
+
+  template <class C, int S, class T>
+  void operator()(int, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    for (int i = 0; i < C::dim; ++i) out.force[i] = at.velocity[i];
+  }
+};
+
 TEST(ElementLoop, RefusesALawThatDoesNotFitTheFields) {
   const LoopModel model(Geometry::plane_strain, "tri3", 1, 1);
   const FieldBlock dry(model.space, 0, LoopModel::displacement, {}, 2);
@@ -197,6 +207,8 @@ TEST(ElementLoop, RefusesALawThatDoesNotFitTheFields) {
                std::logic_error);
   EXPECT_THROW(with_loop<Weight>(Geometry::plane_strain, model.block(), model.level(), [](const auto&) {}),
                std::logic_error);
+  const FieldBlock still(model.space, 0, -1, {LoopModel::scalar}, 2);
+  EXPECT_THROW(with_loop<Drag>(Geometry::plane_strain, still, model.level(), [](const auto&) {}), std::logic_error);
 }
 
 TEST(FieldBlock, KnowsItsUnknowns) {

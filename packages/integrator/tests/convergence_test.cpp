@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Tpetra_Core.hpp>
+#include "modal_fixture.hpp"
 
 namespace mudline {
 
@@ -11,13 +11,7 @@ namespace {
 /// A displacement with one component on the three nodes of a triangle.
 class ConvergenceTest : public ::testing::Test {
  protected:
-  static GlobalMesh triangle() {
-    GlobalMesh mesh;
-    mesh.coordinates = {{0, 0}, {1, 0}, {0, 1}};
-    mesh.blocks = {{"all", CellShape::tri3, {0, 1, 2}}};
-    return mesh;
-  }
-  ConvergenceTest() { convergence.declare_state(store); }
+  ConvergenceTest() { convergence.declare_state(); }
 
   Vector vector(double a, double b, double c) const {
     Vector result(space.dofs()->owned());
@@ -33,10 +27,10 @@ class ConvergenceTest : public ::testing::Test {
     convergence.measure(acting, whole);
   }
 
-  Mesh mesh{Tpetra::getDefaultComm(), Geometry::plane_strain, triangle()};
+  Mesh mesh{Tpetra::getDefaultComm(), Geometry::plane_strain, testing::triangle()};
   Space space{mesh, {{"displacement", "m", "N", 1, Support::all_nodes, 2}}};
   StateStore store{space};
-  Convergence convergence{space};
+  Convergence convergence{space, store};
 };
 
 }  // namespace

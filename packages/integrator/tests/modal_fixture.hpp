@@ -99,6 +99,13 @@ class Rest : public Term {
   int group_ = -1;
 };
 
+inline GlobalMesh triangle() {
+  GlobalMesh mesh;
+  mesh.coordinates = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.blocks = {{"all", CellShape::tri3, {0, 1, 2}}};
+  return mesh;
+}
+
 /// One mode on each node of a triangle, solved by the actual stepper and linear solver.
 class ModalSystem {
  public:
@@ -166,12 +173,6 @@ class ModalSystem {
   Mode mode;
 
  private:
-  static GlobalMesh triangle() {
-    GlobalMesh mesh;
-    mesh.coordinates = {{0, 0}, {1, 0}, {0, 1}};
-    mesh.blocks = {{"all", CellShape::tri3, {0, 1, 2}}};
-    return mesh;
-  }
   static std::vector<Field> fields(bool coupled) {
     std::vector<Field> fields{{"modal displacement", "m", "N", 1, Support::all_nodes, 2}};
     if (coupled) fields.push_back({"modal pressure", "Pa", "m3/s", 1, Support::all_nodes, 1});

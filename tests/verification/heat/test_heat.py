@@ -1,5 +1,5 @@
-"""Heat in saturated soil: a point source, a heated surface, a front in a flow, heat of friction, and the balance of heat
-while the mesh moves."""
+"""Heat in saturated soil: a point source, a heated surface, a front in a flow, heat of friction, and the balance of
+heat while the mesh moves."""
 import os
 import unittest
 
@@ -148,9 +148,9 @@ Physical Curve("under") = {bottom_1}; Physical Curve("top") = {top_1};
 
 
 class RubbedBlocks(MudlineCase):
-    """A block is pressed on another one and dragged over it: the heat of friction warms both, the slave by its share. The
-    blocks are alike and insulated, and water hardly moves, so that the temperatures that rise beside the interface are as
-    the shares."""
+    """A block is pressed on another one and dragged over it: the heat of friction warms both, the slave by its share.
+    The blocks are alike and insulated, and water hardly moves, so that the temperatures that rise beside the interface
+    are as the shares."""
 
     def rub(self, share, contact, thickness=None, ranks=1):
         self.write("blocks.geo", RUBBED)
