@@ -1,35 +1,29 @@
 #include "ale/face_locator.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace mudline {
 
 FaceLocator::FaceLocator(const std::vector<SurfaceFace>& faces, const Positions& x) : faces_(faces), x_(x) {
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    Bounds box = Bounds::nothing();
-    for (int a = 0; a < num_nodes(faces[f].shape); ++a) box.enclose(x[faces[f].nodes[a]]);
-    const Point half = 0.5 * (box.high - box.low);
-    // A curved face does not bulge far out of the box of its nodes.
-    balls_[faces[f].patch].push_back({static_cast<int>(f), box.low + half, 1.5 * length(half)});
+  std::map<int, std::vector<int>> patches;
+  for (std::size_t f = 0; f < faces.size(); ++f) patches[faces[f].patch].push_back(static_cast<int>(f));
+  for (auto& [patch, numbers] : patches) {
+    std::vector<SideLocator::Side> sides;
+    for (int f : numbers) sides.push_back({faces[f].shape, faces[f].nodes});
+    patches_.emplace(patch, Patch{numbers, SideLocator(std::move(sides), x)});
   }
 }
 
-void FaceLocator::look(const std::vector<Ball>& balls, const Point& point, Nearest& best) const {
-  for (const Ball& ball : balls) {
-    const double reach = best.distance + ball.radius;
-    const Point off = point - ball.centre;
-    if (dot(off, off) > reach * reach) continue;
-    const ClosestOnSide there = closest_on_side(faces_[ball.face], x_, point, best.distance);
-    if (there.distance < best.distance) best = {{ball.face, there.place}, there.distance};
+SurfacePlace FaceLocator::nearest(int number, const Point& point, int guess) const {
+  const Patch& patch = patches_.at(number);
+  SideLocator::Place best;
+  if (guess >= 0 && faces_[guess].patch == number) {
+    const auto at = std::lower_bound(patch.faces.begin(), patch.faces.end(), guess);
+    patch.locator.approach(static_cast<int>(at - patch.faces.begin()), point, best);
   }
-}
-
-SurfacePlace FaceLocator::nearest(int patch, const Point& point, int guess) const {
-  Nearest best;
-  if (guess >= 0) {
-    const ClosestOnSide there = closest_on_side(faces_[guess], x_, point);
-    best = {{guess, there.place}, there.distance};
-  }
-  look(balls_.at(patch), point, best);
-  return best.place;
+  patch.locator.approach(point, best);
+  return {patch.faces[best.side], best.xi};
 }
 
 SurfacePlace FaceLocator::over(int patch, const Point& point) const {
@@ -46,9 +40,14 @@ SurfacePlace FaceLocator::over(int patch, const Point& point) const {
 }
 
 SurfacePlace FaceLocator::nearest(const Point& point) const {
-  Nearest best;
-  for (const auto& [patch, balls] : balls_) look(balls, point, best);
-  return best.place;
+  SurfacePlace place;
+  SideLocator::Place best;
+  for (const auto& [number, patch] : patches_) {
+    const double before = best.distance;
+    patch.locator.approach(point, best);
+    if (best.distance < before) place = {patch.faces[best.side], best.xi};
+  }
+  return place;
 }
 
 }  // namespace mudline

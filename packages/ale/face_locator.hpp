@@ -5,6 +5,7 @@
 
 #include "ale/face_place.hpp"
 #include "ale/mesh_surfaces.hpp"
+#include "ale/side_locator.hpp"
 
 namespace mudline {
 
@@ -25,21 +26,15 @@ class FaceLocator {
   Point normal(const SurfacePlace& place) const { return unit(face_normal(faces_[place.face], place.xi, x_)); }
 
  private:
-  /// A ball that contains the whole face.
-  struct Ball {
-    int face;
-    Point centre;
-    double radius;
+  /// The faces of a patch.
+  struct Patch {
+    std::vector<int> faces;
+    SideLocator locator;
   };
-  struct Nearest {
-    SurfacePlace place;
-    double distance = 1e300;
-  };
-  void look(const std::vector<Ball>& balls, const Point& point, Nearest& best) const;
 
   const std::vector<SurfaceFace>& faces_;
   const Positions& x_;
-  std::map<int, std::vector<Ball>> balls_;  // by patch
+  std::map<int, Patch> patches_;
 };
 
 }  // namespace mudline

@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "ale/closest_on_side.hpp"
 #include "discretisation/element_map.hpp"
 #include "tensor/vec.hpp"
 
@@ -93,23 +92,29 @@ const BoxTree& PointLocator::boxes(int block) const {
 }
 
 MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {
-  MeshPlace best;
-  double least = 1e300;
-  for (int e = 0; e < static_cast<int>(mesh_.elements().size()); ++e) {
-    const auto& element = mesh_.elements()[e];
-    for (int s = 0; s < num_sides(element.shape); ++s) {
-      if (element.neighbours[s] != GhostedMesh::outside) continue;
-      std::vector<int> nodes;
-      for (int a : side_nodes(element.shape, s)) nodes.push_back(element.nodes[a]);
-      const ClosestOnSide there = closest_on_side(side_shape(element.shape, s), nodes.data(), x_, point, least);
-      if (there.distance >= least) continue;
-      least = there.distance;
-      best.element = e;
-      const auto place = on_side(element.shape, s, there.place);
-      std::copy(place.begin(), place.end(), best.xi);
+  if (!boundary_) {
+    std::vector<SideLocator::Side> sides;
+    for (int e = 0; e < static_cast<int>(mesh_.elements().size()); ++e) {
+      const auto& element = mesh_.elements()[e];
+      for (int s = 0; s < num_sides(element.shape); ++s) {
+        if (element.neighbours[s] != GhostedMesh::outside) continue;
+        SideLocator::Side& side = sides.emplace_back(SideLocator::Side{side_shape(element.shape, s), {}});
+        auto node = side.nodes.begin();
+        for (int a : side_nodes(element.shape, s)) *node++ = element.nodes[a];
+        boundary_sides_.push_back({e, s});
+      }
     }
+    boundary_ = std::make_unique<const SideLocator>(std::move(sides), x_);
   }
-  return best;
+  SideLocator::Place nearest;
+  boundary_->approach(point, nearest);
+  MeshPlace result;
+  if (nearest.side < 0) return result;
+  const auto [element, side] = boundary_sides_[nearest.side];
+  const auto place = on_side(mesh_.elements()[element].shape, side, nearest.xi);
+  result.element = element;
+  std::copy(place.begin(), place.end(), result.xi);
+  return result;
 }
 
 }  // namespace mudline

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "ale/ghosted_mesh.hpp"
+#include "ale/side_locator.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace mudline {
@@ -40,6 +42,8 @@ class PointLocator {
   const GhostedMesh& mesh_;
   const Positions& x_;
   mutable std::vector<std::unique_ptr<const BoxTree>> boxes_;  // (block) of its elements, made when a walk has failed
+  mutable std::unique_ptr<const SideLocator> boundary_;        // of the outer boundary, made when it is asked for
+  mutable std::vector<std::pair<int, int>> boundary_sides_;    // its sides: element, side of the element
 };
 
 }  // namespace mudline

@@ -68,24 +68,29 @@ SurfaceTransfer::SurfaceTransfer(const Ale& before, const Side& old, const Side&
   if (dimension_ == 3) {
     for (const SurfaceFace& face : before.surfaces().faces)
       if (face.sets.count(surface)) faces_.push_back(face);
-    locator_.emplace(faces_, x_);
+    face_locator_.emplace(faces_, x_);
     old_areas_ = all_gather(comm_, rows_before.areas);
     areas_ = rows_now.areas;
     origins_ = origins(rows_before, rows_now);
     return;
   }
+  std::vector<SideLocator::Side> sides;
   for (const MeshPath& path : before.paths()) {
     if (!path.sets.count(surface)) continue;
     double s = 0;
     for (int i = 0; i + path.stride < static_cast<int>(path.nodes.size()); i += path.stride) {
       const int a = path.nodes[i], b = path.nodes[i + path.stride];
       const double chord = std::hypot(x_[b][0] - x_[a][0], x_[b][1] - x_[a][1]);
-      sides_.push_back(
-          {static_cast<int>(lengths_.size()), {a, b, path.stride == 2 ? path.nodes[i + 1] : -1}, s, s + chord});
+      sides_.push_back({static_cast<int>(lengths_.size()), s, s + chord});
+      if (path.stride == 2)
+        sides.push_back({CellShape::line3, {a, b, path.nodes[i + 1]}});
+      else
+        sides.push_back({CellShape::line2, {a, b}});
       s += chord;
     }
     lengths_.push_back(s);
   }
+  side_locator_.emplace(std::move(sides), x_);
   std::size_t first = 0;
   from_ = along(all_gather(comm_, flat(rows_before.places, 2)));
   to_ = along(all_gather(comm_, flat(rows_now.places, 2), &first));
@@ -99,24 +104,17 @@ std::vector<double> SurfaceTransfer::column_of(const PointView& rows, int column
   return all_gather(comm_, values);
 }
 
-SurfaceTransfer::Row SurfaceTransfer::locate(double x, double y, int number) const {
-  Row row{0, 0, number};
-  double least = 1e300;
-  for (const PathSide& side : sides_) {
-    const CellShape shape = side.nodes[2] >= 0 ? CellShape::line3 : CellShape::line2;
-    const ClosestOnSide there = closest_on_side(shape, side.nodes, x_, {x, y, 0}, least);
-    if (there.distance >= least) continue;
-    least = there.distance;
-    row.path = side.path;
-    row.s = side.from + 0.5 * (1 + there.place[0]) * (side.to - side.from);
-  }
-  return row;
+SurfaceTransfer::Row SurfaceTransfer::locate(const Point& place, int number) const {
+  SideLocator::Place there;
+  side_locator_->approach(place, there);
+  const PathSide& side = sides_[there.side];
+  return {side.path, side.from + 0.5 * (1 + there.xi[0]) * (side.to - side.from), number};
 }
 
 std::vector<std::vector<SurfaceTransfer::Row>> SurfaceTransfer::along(const std::vector<double>& places) const {
   std::vector<std::vector<Row>> result(lengths_.size());
   for (std::size_t i = 0; i + 2 <= places.size(); i += 2) {
-    const Row row = locate(places[i], places[i + 1], static_cast<int>(i / 2));
+    const Row row = locate({places[i], places[i + 1], 0}, static_cast<int>(i / 2));
     result[row.path].push_back(row);
   }
   for (auto& rows : result) std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.s < b.s; });
@@ -187,12 +185,12 @@ std::vector<double> fit_weights(const std::vector<FacePlace>& places, const Face
 }  // namespace
 
 SurfacePlace SurfaceTransfer::face_of(const Point& place, const Point& inside) const {
-  const SurfacePlace there = locator_->nearest(place);
+  const SurfacePlace there = face_locator_->nearest(place);
   const double u = there.xi[0], v = there.xi[1];
   const bool triangle = is_simplex(faces_[there.face].shape);
   const double to_edge = triangle ? std::min({u, v, 1 - u - v}) : 1 - std::max(std::abs(u), std::abs(v));
   if (to_edge > 1e-6) return there;
-  SurfacePlace own = locator_->nearest(inside);
+  SurfacePlace own = face_locator_->nearest(inside);
   const double middle = is_simplex(faces_[own.face].shape) ? 1.0 / 3 : 0.0;
   for (double& xi : own.xi) xi = middle + (xi - middle) / (1 - inwards);
   return own;
@@ -222,7 +220,7 @@ std::vector<SurfaceTransfer::Origin> SurfaceTransfer::origins(const Rows& old, c
       origin.nearest = row;
     }
     origin.same = least <= 1e-9 * std::sqrt(now.areas[i]);
-    const SurfacePlace there = locator_->nearest(place);
+    const SurfacePlace there = face_locator_->nearest(place);
     const std::vector<int>& near = rows[there.face];
     std::vector<FacePlace> places;
     for (int row : near) places.push_back(xi[row]);

@@ -45,7 +45,7 @@ class SurfaceTransfer {
   };
   /// Rows of all ranks by path, in order along it.
   std::vector<std::vector<Row>> along(const std::vector<double>& places) const;
-  Row locate(double x, double y, int number) const;
+  Row locate(const Point& place, int number) const;
   /// Old rows, by their number in the list of all ranks, from which a new one is interpolated.
   struct Origin {
     int nearest;
@@ -58,8 +58,8 @@ class SurfaceTransfer {
   void transfer_in_space(const std::vector<StateVariable>& variables, const PointView& old, const PointView& now) const;
 
   struct PathSide {
-    int path, nodes[3];
-    double from, to;  // [m]
+    int path;
+    double from, to;  // [m] along it
   };
   /// A column of the rows of all ranks.
   std::vector<double> column_of(const PointView& rows, int column) const;
@@ -70,12 +70,13 @@ class SurfaceTransfer {
   Positions x_;
   // in the plane
   std::vector<PathSide> sides_;
+  std::optional<SideLocator> side_locator_;
   std::vector<double> lengths_;              // (path)
   std::vector<std::vector<Row>> from_, to_;  // (path)
   int mine_ = 0, end_ = 0;                   // numbers of this rank's new rows
   // in space
   std::vector<SurfaceFace> faces_;
-  std::optional<FaceLocator> locator_;
+  std::optional<FaceLocator> face_locator_;
   std::vector<double> old_areas_, areas_;  // of all ranks' old rows, of this rank's new ones [m2]
   std::vector<Origin> origins_;            // of this rank's new rows
 };

@@ -103,9 +103,10 @@ struct PointTangent {
     }
   }
 
-  /// The law's derivatives at a point times its volume dv [m3]: (row, derivative index). row: of the point's data.
-  KOKKOS_INLINE_FUNCTION void operator()(int row, const Law& law, double dv, const Fields& f,
-                                         double (&A)[Row::count][Index::count]) const {
+  /// The law's derivatives at a point times its volume dv [m3]: (row, derivative index). row: of the point's data. It
+  /// is called, not inlined: one call serves all shapes of elements.
+  [[gnu::noinline]] KOKKOS_FUNCTION void operator()(int row, const Law& law, double dv, const Fields& f,
+                                                    double (&A)[Row::count][Index::count]) const {
     PointFields<C, S, T> in;
     PointBalance<C, S, T> out;
     seed(f, in);

@@ -35,38 +35,21 @@ KOKKOS_INLINE_FUNCTION void write_motion(const PointFields<C, S, T>& at, const M
     }
 }
 
-/// Writes the law's input, and the void ratios of the end, for the points of an element.
-template <class Loop>
-struct Staging {
-  Loop loop;
-  int first;  // element of the batch's first row
+/// Writes the law's input, and the void ratio of the end, at a point.
+template <class C, int S>
+struct PointStaging {
   ByMaterial<Mixture> mixtures;
   LawInput to;
   PointView stress, law, void_ratio_old, void_ratio;  // (point, component): committed, and trial void ratio
 
-  /// Adds the number of inverted points.
-  KOKKOS_FUNCTION void operator()(int e, int& inverted) const {
-    int next = 0;
-    if (loop.template for_each_point<false, false>(
-            e, [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
-              stage(e, q, at, inverted);
-              next = q + 1;
-            })) {
-      typename Loop::Fields still{};  // used from the folded point on: no motion
-      still.volume_ratio = 1;
-      inverted += loop.b.points - next;
-      for (; next < loop.b.points; ++next) stage(e, next, still, inverted);
-    }
-  }
-
-  KOKKOS_FUNCTION void stage(int e, int q, const typename Loop::Fields& at, int& inverted) const {
-    MidpointRule<Loop::D> motion;
-    const int from = e * loop.b.points + q, i = (e - first) * loop.b.points + q;
+  /// from: row of the point's data; i: its row in the batch. False where the step inverts the point: the law sees no
+  /// strain, and the step fails anyway. It is called, not inlined: one call serves all shapes of elements.
+  [[gnu::noinline]] KOKKOS_FUNCTION bool stage(int from, int i, const PointFields<C, S, double>& at) const {
+    MidpointRule<C::dim> motion;
     const Mixture& mixture = mixtures(from);
     const bool valid = find_motion(at, motion);
-    if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
     motion.increment(&to.strain(i, 0));
-    if constexpr (Loop::S > 0)
+    if constexpr (S > 0)
       if (mixture.temperature >= 0)  // thermal strain is not part of the strain of the law
         for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[mixture.temperature];
     if (!valid)
@@ -81,6 +64,31 @@ struct Staging {
     const double n = mixture.porosity(void_ratio_old(from, 0), at);
     void_ratio(from, 0) = n / (1 - n);
     void_ratio(from, 1) = void_ratio_old(from, 1);
+    return valid;
+  }
+};
+
+/// Stages the points of an element.
+template <class Loop, class Staging>
+struct ElementStaging {
+  Loop loop;
+  int first;  // element of the batch's first row
+  Staging staging;
+
+  /// Adds the number of inverted points.
+  KOKKOS_FUNCTION void operator()(int e, int& inverted) const {
+    const int points = loop.b.points;
+    int next = 0;
+    const auto stage = [&](const typename Loop::Fields& at) {
+      if (!staging.stage(e * points + next, (e - first) * points + next, at)) ++inverted;
+      ++next;
+    };
+    loop.template for_each_point<false, false>(
+        e, [&](int, const typename Loop::Shape&, const typename Loop::Fields& at) { stage(at); });
+    typename Loop::Fields still{};  // used from the point on where the element is folded: no motion
+    still.volume_ratio = 1;
+    inverted += points - next;
+    while (next < points) stage(still);
   }
 };
 
@@ -132,16 +140,13 @@ int StressUpdate::stage_motion(int first, int last) {
   return with_element(soil_.geometry, block_, [&](auto coordinates, auto shapes) {
     using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
     const State &old = *view_.committed, &now = *view_.trial;
-    const Staging<Loop> staging{{block_, level_},
-                                first,
-                                mixtures_of(soil_, block_, old),
-                                input_,
-                                old.arrays[block_.stress],
-                                old.arrays[block_.law],
-                                old.arrays[block_.void_ratio],
-                                now.arrays[block_.void_ratio]};
+    using Staging = PointStaging<decltype(coordinates), Loop::S>;
+    const Staging staging{mixtures_of(soil_, block_, old), input_,
+                          old.arrays[block_.stress],       old.arrays[block_.law],
+                          old.arrays[block_.void_ratio],   now.arrays[block_.void_ratio]};
     int inverted = 0;
-    Kokkos::parallel_reduce("kinematics", Kokkos::RangePolicy<>(first, last), staging, inverted);
+    Kokkos::parallel_reduce("kinematics", Kokkos::RangePolicy<>(first, last),
+                            ElementStaging<Loop, Staging>{{block_, level_}, first, staging}, inverted);
     return inverted;
   });
 }
