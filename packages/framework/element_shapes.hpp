@@ -31,8 +31,11 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
       if (!block.moves())
         return corners ? f(coordinates, ElementShapes<N, P, S, false>{})
                        : f(coordinates, ElementShapes<N, N, S, false>{});
-      if (corners || P == N) return f(coordinates, ElementShapes<N, P, S>{});
-      throw std::logic_error("no kernel is compiled for fields at all nodes of quadratic cells");
+      if constexpr (S < 2 || P < N)  // compiled for what physics allow
+        if (corners || P == N) return f(coordinates, ElementShapes<N, P, S>{});
+      throw std::logic_error(
+          "beside the displacement no kernel is compiled for two scalar fields on linear cells, nor for fields at all "
+          "nodes of quadratic cells");
     };
     static_assert(max_scalars == 2);
     if constexpr (Scalars > 1)
