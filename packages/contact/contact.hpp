@@ -56,8 +56,6 @@ class Contact : public Term, public History, public Unilateral, public Reports {
   virtual std::vector<double> nodal_shear(const State&) const { return {}; }
   /// Sets 1, by local node, on the sides where a penalty acts at some point. For preconditioners.
   virtual void mark_pressed(const State&, std::vector<char>&) const {}
-  /// Whether it can go on with a new mesh of its surfaces.
-  virtual bool can_be_remeshed() const { return true; }
 };
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;

@@ -14,7 +14,6 @@
 #include "integrator/time_error.hpp"
 #include "physics/soil_points.hpp"
 #include "physics/soil_stress.hpp"
-#include "simulation/model_remeshing.hpp"
 #include "simulation/output/mesh_parts_file.hpp"
 
 namespace mudline {
@@ -112,9 +111,6 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
 }
 
 void Model::initialise(const Section& deck) {
-  if (ale_ && ale_->remeshing())
-    if (const std::string problem = remeshing_problem(*this); !problem.empty())
-      deck.section("mesh motion").section("remeshing").fail(problem);
   const Section physics = deck.section("physics");
   for (std::size_t i = 0; i < physics_.size(); ++i)
     call_physics(physics.section(physics.section_names()[i]),

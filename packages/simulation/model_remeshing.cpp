@@ -20,14 +20,6 @@ void copy_bodies(Model& from, Model& to) {
 
 }  // namespace
 
-std::string remeshing_problem(const Model& model) {
-  for (const auto& [name, contact] : model.contacts())
-    if (!contact->can_be_remeshed())
-      return "the contact '" + name +
-             "' cannot go over to another mesh; those with a body, of nodes to segments and of points to faces can";
-  return "";
-}
-
 StateTransfer transfer_from(Model& from, const Stage& stage, Model& to) {
   StateTransfer result;
   MeshReceipt& receipt = result.receipt;

@@ -6,9 +6,6 @@
 
 namespace mudline {
 
-/// Why a contact of this model cannot go on with another mesh of the same regions; "" where all can.
-std::string remeshing_problem(const Model& model);
-
 /// Result of the transfer of a model's state to a model on another mesh.
 struct StateTransfer {
   MeshReceipt receipt;                           // where `moved` is false, the new model must not be used

@@ -249,7 +249,7 @@ void PairContact::check(const Section& section) {
   rule_ = line_quadrature(deck_.quadrature_degree);
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * slave_->shortest(mesh.coordinates());
   capture_ = slave_->longest(mesh.coordinates());
-  check_overlap(section);
+  if (!context_.remeshed) check_overlap(section);
 }
 
 void PairContact::check_overlap(const Section& section) const {

@@ -62,7 +62,6 @@ class PairContact : public Contact {
   }
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
-  bool can_be_remeshed() const override { return false; }
   std::vector<double> nodal_pressure(const State& state) const override;
   std::vector<double> nodal_shear(const State& state) const override;
 

@@ -85,19 +85,12 @@ class PulledApart(ContactCase):
 class Remeshed(ContactCase):
     """The upper of two blocks is pressed and dragged while both are remeshed every second step."""
 
-    def test_slides_as_without_remeshing(self):
-        slide = self.write("slide.xml", SLIDE)
-        overlay = self.write("penalty.xml", deck_text("penalty", {"contacts": {"face": {
-            "type": "node to segment", "enforcement": "penalty", "master surface": "sides", "penalty factor": 100.0}}}))
-        with open(self.deck("blocks")) as file:
-            text = "".join(line for line in file if "gap tolerance" not in line)
-        blocks = self.write("blocks.xml", text.replace("blocks.geo", self.deck("blocks").replace(".xml", ".geo")))
-        slide = self.write("slide.xml", "".join(line for line in SLIDE.splitlines(True) if "gap tolerance" not in line))
+    def assert_slides_as_without_remeshing(self, decks):
         remeshing = self.write("remeshing.xml", deck_text("remeshing", {"mesh motion": {"remeshing": {
             "when side above": 0.1, "least steps": 2, "when quality below": 0.0}}}))
         settings = ("solver/newton/damped retry=false", "mesh/parameters/lower_cells=6", "mesh/parameters/upper_cells=9")
-        still = self.run_deck([blocks, overlay, slide], settings)
-        moved = self.run_deck([blocks, overlay, slide, remeshing], settings)
+        still = self.run_deck(decks, settings)
+        moved = self.run_deck([*decks, remeshing], settings)
         self.assertGreaterEqual(moved["mesh/remeshings"][-1], 4)
         for time in (1.25, 1.5, 1.75, 2.0):
             drag = -still.at("contact/face/force on slave x", time)
@@ -107,6 +100,19 @@ class Remeshed(ContactCase):
         heat = still["contact/face/friction heat"][-1]
         self.assertGreater(heat, 1e-3)
         self.assert_within("heat", moved["contact/face/friction heat"][-1], heat, 0.01)
+
+    def test_mortar(self):
+        """With multipliers, which are transferred."""
+        self.assert_slides_as_without_remeshing([self.deck("blocks"), self.write("slide.xml", SLIDE)])
+
+    def test_nodes(self):
+        overlay = self.write("penalty.xml", deck_text("penalty", {"contacts": {"face": {
+            "type": "node to segment", "enforcement": "penalty", "master surface": "sides", "penalty factor": 100.0}}}))
+        with open(self.deck("blocks")) as file:
+            text = "".join(line for line in file if "gap tolerance" not in line)
+        blocks = self.write("blocks.xml", text.replace("blocks.geo", self.deck("blocks").replace(".xml", ".geo")))
+        slide = self.write("slide.xml", "".join(line for line in SLIDE.splitlines(True) if "gap tolerance" not in line))
+        self.assert_slides_as_without_remeshing([blocks, overlay, slide])
 
 
 if __name__ == "__main__":
