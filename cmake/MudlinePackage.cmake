@@ -15,14 +15,16 @@
 # and tests least (-O1), which takes a third off the time that tests compile. The numbers are the same.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)  # paths relative to the checkout: clones share what was compiled once
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
-    CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
+  set(ccache ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${ccache} ${CCACHE_PROGRAM})
   set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
   # Precompiled headers are looked up by the content of the headers, apart from what earlier versions stored. By
   # preprocessed text a changed comment found the old ones, in which g++ does not recognise the changed header, and all
   # that it declares was declared twice.
-  string(REPLACE CCACHE_NOHASHDIR=1 "CCACHE_NOHASHDIR=1;CCACHE_DEPEND=1;CCACHE_NAMESPACE=mudline-precompiled"
-    precompiled_launcher "${CMAKE_CXX_COMPILER_LAUNCHER}")
+  set(precompiled_launcher ${ccache} CCACHE_DEPEND=1 CCACHE_NAMESPACE=mudline-precompiled ${CCACHE_PROGRAM})
+else()
+  set(precompiled_launcher ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=lld MUDLINE_HAVE_LLD)

@@ -53,8 +53,8 @@ struct Face {
     const auto centre = cell_centre(shape);
     Vec<double, 2> place{centre[0], centre[1]}, step{};
     for (int k = 0; k < 60; ++k) {
-      const FaceMap map(shape, nodes, x, place);
-      const Point off = point - map.at;
+      const SideMap<3> map = face_map(shape, nodes, x, place);
+      const Point off = point - map.x;
       if (length(off) > best.distance && length(step) > 1e-6) {
         step = 0.5 * step;
         place -= step;
@@ -69,7 +69,7 @@ struct Face {
       place += step;
       if (std::abs(step[0]) + std::abs(step[1]) <= 1e-14) break;
     }
-    best = {place, length(point - FaceMap(shape, nodes, x, place).at), true};
+    best = {place, length(point - face_map(shape, nodes, x, place).x), true};
     return outside_cell(shape, place.data()) <= 0;
   }
   /// The closest point of an edge, if it is closer.
@@ -87,13 +87,12 @@ struct Face {
 
 }  // namespace
 
-FaceMap::FaceMap(CellShape shape, const int* nodes, const Positions& x, const Vec<double, 2>& place) {
+SideMap<3> face_map(CellShape shape, const int* nodes, const Positions& x, const Vec<double, 2>& place) {
   double N[9], dN[18];
   evaluate_shape(shape, place.data(), N, dN);
-  for (int a = 0; a < num_nodes(shape); ++a) {
-    at += N[a] * x[nodes[a]];
-    for (int k = 0; k < 2; ++k) along[k] += dN[2 * a + k] * x[nodes[a]];
-  }
+  SideMap<3> map;
+  map.compute(num_nodes(shape), N, dN, [&](int a, int i) { return x[nodes[a]][i]; });
+  return map;
 }
 
 ClosestOnSide closest_on_side(CellShape shape, const int* nodes, const Positions& x, const Point& point, double least) {

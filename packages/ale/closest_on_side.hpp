@@ -1,14 +1,13 @@
 #pragma once
 
 #include "ale/ghosted_mesh.hpp"
+#include "discretisation/side_map.hpp"
 
 namespace mudline {
 
-/// Position and tangents of a face of elements in space at one place.
-struct FaceMap {
-  Point at{}, along[2] = {};  // [m], and its derivatives by the reference coordinates
-  FaceMap(CellShape shape, const int* nodes, const Positions& x, const Vec<double, 2>& place);
-};
+/// The map of a face of elements in space at one place. `nodes`: those of the face, in the order of the shape; `x`:
+/// their places.
+SideMap<3> face_map(CellShape shape, const int* nodes, const Positions& x, const Vec<double, 2>& place);
 
 /// The closest point of a side of an element to a point.
 struct ClosestOnSide {

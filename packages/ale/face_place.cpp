@@ -5,12 +5,11 @@
 namespace mudline {
 
 Point face_point(const SurfaceFace& face, const FacePlace& place, const Positions& x) {
-  return FaceMap(face.shape, face.nodes.data(), x, place).at;
+  return face_map(face.shape, face.nodes.data(), x, place).x;
 }
 
 Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positions& x) {
-  const FaceMap map(face.shape, face.nodes.data(), x, place);
-  return cross(map.along[0], map.along[1]);
+  return face_map(face.shape, face.nodes.data(), x, place).normal;
 }
 
 ClosestOnSide closest_on_side(const SurfaceFace& face, const Positions& x, const Point& point, double least) {

@@ -92,6 +92,12 @@ class Splitter {
 
 }  // namespace
 
+SideLocator::Side MeshPath::side(int first) const {
+  const int last = first + stride;
+  if (stride == 1) return {CellShape::line2, {nodes[first], nodes[last]}};
+  return {CellShape::line3, {nodes[first], nodes[last], nodes[first + 1]}};
+}
+
 std::vector<MeshPath> find_paths(const GhostedMesh& mesh, const Positions& source,
                                  const std::vector<std::string>& corners, double corner_angle,
                                  const std::function<bool(int node)>& on_body) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ale/ghosted_mesh.hpp"
+#include "ale/side_locator.hpp"
 
 namespace mudline {
 
@@ -17,6 +17,8 @@ struct MeshPath {
   bool outer = true;           // on the boundary of the mesh, not between two regions
 
   int num_vertices() const { return static_cast<int>(nodes.size() - 1) / stride + 1; }
+  /// The side that begins at this one of its nodes.
+  SideLocator::Side side(int first) const;
 };
 
 /// All boundaries of the mesh's regions, split into paths. A path ends where regions meet, where the side sets change,

@@ -15,13 +15,12 @@ void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Po
                              Place& place) const {
   double least = 1e300;
   for (int k = first; k + path.stride <= last; k += path.stride) {
-    const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};
-    const CellShape shape = path.stride == 2 ? CellShape::line3 : CellShape::line2;
-    const ClosestOnSide there = closest_on_side(shape, nodes, x_old, x, least);
+    const SideLocator::Side side = path.side(k);
+    const ClosestOnSide there = closest_on_side(side.shape, side.nodes.data(), x_old, x, least);
     if (there.distance >= least) continue;
     least = there.distance;
-    place.side = shape;
-    std::copy(nodes, nodes + 3, place.side_nodes.begin());
+    place.side = side.shape;
+    place.side_nodes = side.nodes;
     place.along = there.place;
   }
 }

@@ -82,10 +82,7 @@ SurfaceTransfer::SurfaceTransfer(const Ale& before, const Side& old, const Side&
       const int a = path.nodes[i], b = path.nodes[i + path.stride];
       const double chord = std::hypot(x_[b][0] - x_[a][0], x_[b][1] - x_[a][1]);
       sides_.push_back({static_cast<int>(lengths_.size()), s, s + chord});
-      if (path.stride == 2)
-        sides.push_back({CellShape::line3, {a, b, path.nodes[i + 1]}});
-      else
-        sides.push_back({CellShape::line2, {a, b}});
+      sides.push_back(path.side(i));
       s += chord;
     }
     lengths_.push_back(s);

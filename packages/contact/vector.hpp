@@ -5,11 +5,6 @@
 
 namespace mudline {
 
-template <class T>
-KOKKOS_INLINE_FUNCTION Vec<T, 2> vector(const T (&x)[2]) {
-  return {x[0], x[1]};
-}
-
 /// An unknown: a dual number with the derivative index `direction`, or the plain number.
 template <class T>
 KOKKOS_INLINE_FUNCTION T unknown(double value, int direction) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tensor/dual.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -8,10 +8,10 @@ namespace mudline {
 /// a dual number that carries derivatives with respect to whatever the node positions depend on.
 template <int Dim, class T = double>
 struct SideMap {
-  T x[Dim];               // [m]
-  T along[Dim - 1][Dim];  // dx_i / dxi_k [m]
-  T normal[Dim];          // outward normal of length `stretch`
-  T stretch;              // area per reference area [m^(Dim-1)]; 0 where the side has no extent
+  Vec<T, Dim> x;               // [m]
+  Vec<T, Dim> along[Dim - 1];  // dx / dxi_k [m]
+  Vec<T, Dim> normal;          // outward normal of length `stretch`
+  T stretch;                   // area per reference area [m^(Dim-1)]; 0 where the side has no extent
 
   /// place(a, i): coordinate i of node a [m]; N: shape functions (node); dN: their reference gradients (node, k),
   /// row-major; both are dual numbers where the reference coordinates of the point carry derivatives too.

@@ -85,7 +85,7 @@ struct SideLoop {
       }
       map.finish();
     }
-    const T measure = Coordinates::measure(map.x);
+    const T measure = Coordinates::measure(map.x.data());
     p.area = map.stretch * measure;
     p.value = T(0.0);
     for (int i = 0; i < D; ++i) {

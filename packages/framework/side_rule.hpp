@@ -59,7 +59,7 @@ bool point_areas(const SideRule& rule, const Nodes& x, Geometry geometry, T* are
   for (int q = 0; q < rule.samples; ++q) {
     SideMap<D, T> map;
     map.compute(rule.nodes, &rule.N(q, 0), &rule.dN(q, 0), [&](int a, int i) { return T(x[a][i]); });
-    const T around = measure(geometry, map.x);
+    const T around = measure(geometry, map.x.data());
     if (!(value(map.stretch) > 0) || !(value(around) >= 0)) return false;
     const T whole = map.stretch * around;
     for (int c = 0; c < rule.points; ++c)

@@ -35,8 +35,8 @@ struct Curve {
     result.compute(nodes, N, dN, [&](int a, int i) { return node[a][i]; });
     return result;
   }
-  Vec<T, 2> point(const T& xi) const { return vector(map(xi).x); }
-  Vec<T, 2> slope(const T& xi) const { return vector(map(xi).along[0]); }
+  Vec<T, 2> point(const T& xi) const { return map(xi).x; }
+  Vec<T, 2> slope(const T& xi) const { return map(xi).along[0]; }
   Vec<T, 2> bend() const {
     if (nodes == 2) return {T(0.0), T(0.0)};
     const T N[max_line_nodes] = {T(1.0), T(1.0), T(-2.0)};
@@ -134,9 +134,9 @@ bool find_projection(const Curve<double>& master, const Curve<T>& master_t, cons
       [&](const T& eta) { return dot(at - master_t.point(eta), master_t.slope(eta)); }, projection.eta);
   if (!found) return false;
   const SideMap<2, T> map = master_t.map(projection.eta);
-  projection.along = vector(map.along[0]) / map.stretch;
-  projection.normal = vector(map.normal) / map.stretch;
-  projection.gap = dot(at - vector(map.x), projection.normal);
+  projection.along = map.along[0] / map.stretch;
+  projection.normal = map.normal / map.stretch;
+  projection.gap = dot(at - map.x, projection.normal);
   return true;
 }
 
@@ -249,14 +249,14 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     const T half = 0.5 * (to - from);
     point.xi = from + half * (1.0 + law.rule.points[q][0]);
     const SideMap<2, T> map = sides.slave.map(point.xi);
-    point.at = vector(map.x);
+    point.at = map.x;
     if (!find_projection(sides.master_at, sides.master, point.at, point.projection)) return false;
     const double gap = value(point.projection.gap);
     if (std::abs(gap) > law.capture) continue;
     seen = true;
     sums.closest = std::min(sums.closest, gap);
     point.length = law.rule.weights[q] * half * map.stretch;
-    point.area = point.length * measure(law.geometry, map.x);
+    point.area = point.length * measure(law.geometry, map.x.data());
     point.shape[0] = 0.5 * (1.0 - point.xi);
     point.shape[1] = 0.5 * (1.0 + point.xi);
     for (int a = 0; a < side_multipliers; ++a) {

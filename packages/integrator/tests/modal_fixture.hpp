@@ -99,6 +99,7 @@ class Rest : public Term {
   int group_ = -1;
 };
 
+/// A mesh of one triangle.
 inline GlobalMesh triangle() {
   GlobalMesh mesh;
   mesh.coordinates = {{0, 0}, {1, 0}, {0, 1}};
