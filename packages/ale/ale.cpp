@@ -121,7 +121,7 @@ std::string Ale::problem(const StateStore& store) const {
         std::any_of(info.variables.begin(), info.variables.end(),
                     [](const StateVariable& v) { return v.transfer == Transfer::total; }))
       moves = std::any_of(info.nodes.begin(), info.nodes.end(),
-                          [&](int node) { return !remesher_->keeps(mesh_.number_of(node)); });
+                          [&](int node) { return !remesher_->fixed(mesh_.number_of(node)); });
     if (problem.empty() && mesh_.any(moves))
       problem = "the state '" + info.name +
                 "' has parts of a sum at nodes that a remeshing would move; name their set in boundary/material sides";

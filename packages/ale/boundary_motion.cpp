@@ -65,20 +65,16 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
     focus = bodies.at(focus_)->initial_position();
   }
   if (remeshed) {
-    paths_ = remeshed->paths;
-    for (MeshPath& path : paths_)
-      for (int& node : path.nodes) node = mesh.local_node(node);
     origins_ = remeshed->origins;
     focus = remeshed->focus;
   }
-  if (in_space_) {
-    bind_surfaces(mesh, source, remeshed);
-    if (!remeshed) take_sizes(source, size_field(focus));
-  } else if (!remeshed) {
-    paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
-                        [&](int node) { return starts_on_body(source[node]); });
-  }
-  for (const MeshPath& path : paths_) {
+  MeshSurfaces parts = remeshed ? remeshed_parts(mesh, *remeshed) : deck_parts(mesh, source);
+  for (MeshPath& path : parts.curves) path.material = material(path.sets);
+  for (SurfacePatch& patch : parts.patches) patch.material = material(patch.sets);
+  surfaces_ = SurfaceMotion(std::move(parts), source, largest_slide_,
+                            in_space_ ? CornerSimplices(mesh).on_boundary(mesh) : std::vector<BoundarySimplex>());
+  if (in_space_) relative_sizes_ = remeshed ? remeshed_sizes(mesh, *remeshed) : deck_sizes(source, size_field(focus));
+  for (const MeshPath& path : paths()) {
     const PathCurve curve(places(path, source));
     const CurveMeasure measure(curve, size_field(focus));
     std::vector<double> shares;
@@ -86,54 +82,65 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
       shares.push_back(measure.at(curve.parameter(v * path.stride)) / measure.total());
     shares_.push_back(shares);
     if (!remeshed) origins_.push_back({shares, measure.total()});
-    slides_.push_back(path.num_vertices() > 2 && !material(path));
   }
 }
 
-/// A mesh from remeshing stores the patches and curves of its faces and their wanted sizes.
-void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RemeshedMesh* remeshed) {
-  std::set<int> corners;
-  for (const std::string& name : corners_)
-    for (int node : mesh.node_sets().at(name)) corners.insert(node);
+MeshSurfaces BoundaryMotion::deck_parts(const GhostedMesh& mesh, const Positions& source) const {
+  const auto on_body = [&](int node) { return starts_on_body(source[node]); };
+  const double angle = corner_angle_ * pi / 180;
+  if (in_space_) return split_surfaces(boundary_faces(mesh), source, corner_nodes(mesh), angle, on_body);
+  MeshSurfaces result;
+  result.curves = find_paths(mesh, source, corners_, angle, on_body);
+  return result;
+}
+
+/// A mesh from remeshing stores its paths, the patches of its faces and their wanted sizes.
+MeshSurfaces BoundaryMotion::remeshed_parts(const GhostedMesh& mesh, const RemeshedMesh& remeshed) const {
+  MeshSurfaces result;
+  result.curves = remeshed.paths;
+  for (MeshPath& path : result.curves)
+    for (int& node : path.nodes) node = mesh.local_node(node);
+  if (!in_space_) return result;
+  std::map<std::array<long long, 3>, int> patches;
+  for (const FaceOfPatch& face : remeshed.faces) patches[face.corners] = face.patch;
   std::vector<SurfaceFace> faces = boundary_faces(mesh);
-  MeshSurfaces surfaces;
-  if (remeshed) {
-    relative_sizes_.assign(source.size(), 0.0);
-    for (const RelativeSize& at : remeshed->sizes) relative_sizes_[mesh.local_node(at.node)] = at.size;
-    std::map<std::array<long long, 3>, int> patches;
-    for (const FaceOfPatch& face : remeshed->faces) patches[face.corners] = face.patch;
-    for (SurfaceFace& face : faces) {
-      std::array<long long, 3> ids{};
-      for (int k = 0; k < 3; ++k) ids[k] = mesh.node_id(face.nodes[k]);
-      std::sort(ids.begin(), ids.end());
-      face.patch = patches.at(ids);
-    }
-    surfaces = joined_surfaces(std::move(faces), paths_, source.size(), corners);
-  } else {
-    surfaces = split_surfaces(std::move(faces), source, corners, corner_angle_ * pi / 180,
-                              [&](int node) { return starts_on_body(source[node]); });
-    paths_ = surfaces.curves;
+  for (SurfaceFace& face : faces) {
+    std::array<long long, 3> ids{};
+    for (int k = 0; k < 3; ++k) ids[k] = mesh.node_id(face.nodes[k]);
+    std::sort(ids.begin(), ids.end());
+    face.patch = patches.at(ids);
   }
-  std::vector<char> slides;
-  for (const SurfacePatch& patch : surfaces.patches) slides.push_back(!material(patch.sets));
-  surfaces_ =
-      SurfaceMotion(std::move(surfaces), source, slides, largest_slide_, CornerSimplices(mesh).on_boundary(mesh));
+  return joined_surfaces(std::move(faces), std::move(result.curves), mesh.num_nodes(), corner_nodes(mesh));
 }
 
-void BoundaryMotion::take_sizes(const Positions& source, const SizeField& size) {
-  relative_sizes_.assign(source.size(), 0.0);
+std::set<int> BoundaryMotion::corner_nodes(const GhostedMesh& mesh) const {
+  std::set<int> result;
+  for (const std::string& name : corners_)
+    for (int node : mesh.node_sets().at(name)) result.insert(node);
+  return result;
+}
+
+std::vector<double> BoundaryMotion::remeshed_sizes(const GhostedMesh& mesh, const RemeshedMesh& remeshed) const {
+  std::vector<double> result(mesh.num_nodes(), 0.0);
+  for (const RelativeSize& at : remeshed.sizes) result[mesh.local_node(at.node)] = at.size;
+  return result;
+}
+
+std::vector<double> BoundaryMotion::deck_sizes(const Positions& source, const SizeField& size) const {
+  std::vector<double> result(source.size(), 0.0);
   std::vector<int> around(source.size(), 0);
-  for (const SurfaceFace& face : surfaces_.surfaces().faces) {
+  for (const SurfaceFace& face : parts().faces) {
     if (num_corners(face.shape) != 3) continue;
     const Point &a = source[face.nodes[0]], &b = source[face.nodes[1]], &c = source[face.nodes[2]];
     const double area = 0.5 * length(cross(b - a, c - a));
     for (int k = 0; k < 3; ++k) {
-      relative_sizes_[face.nodes[k]] += 2 * std::sqrt(area / std::sqrt(3.0)) / size(source[face.nodes[k]]);
+      result[face.nodes[k]] += 2 * std::sqrt(area / std::sqrt(3.0)) / size(source[face.nodes[k]]);
       ++around[face.nodes[k]];
     }
   }
   for (std::size_t node = 0; node < source.size(); ++node)
-    if (around[node] > 0) relative_sizes_[node] /= around[node];
+    if (around[node] > 0) result[node] /= around[node];
+  return result;
 }
 
 bool BoundaryMotion::material(const std::set<std::string>& sets) const {
@@ -173,9 +180,9 @@ std::optional<NearBody> BoundaryMotion::projection(const State& state, const Poi
 Positions BoundaryMotion::move(const Positions& x, const State& state) const {
   Positions result = x;
   const SizeField size = size_field(focus(state));
-  for (std::size_t p = 0; p < paths_.size(); ++p)
-    if (slides_[p]) move_path(p, state, size, result);
-  if (!surfaces_.surfaces().patches.empty())
+  for (std::size_t p = 0; p < paths().size(); ++p)
+    if (paths()[p].slides()) move_path(p, state, size, result);
+  if (!parts().patches.empty())
     surfaces_.move(
         x, [&](const Point& at) { return projection(state, at); }, result);
   return result;
@@ -186,9 +193,8 @@ std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& sta
   const auto free = [&](int node, double sides) {
     return bodies_.empty() ? 1.0 : std::clamp(projection(state, x[node])->gap / sides - 1, 0.0, 1.0);
   };
-  for (std::size_t p = 0; p < paths_.size(); ++p) {
-    const MeshPath& path = paths_[p];
-    if (!slides_[p] || !path.outer) continue;
+  for (const MeshPath& path : paths()) {
+    if (!path.slides() || !path.outer) continue;
     for (std::size_t i = 1; i + 1 < path.nodes.size(); ++i)
       result[path.nodes[i]] = free(path.nodes[i], path.stride * distance(x[path.nodes[i + 1]], x[path.nodes[i - 1]]));
   }
@@ -197,7 +203,7 @@ std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& sta
 }
 
 void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeField& size, Positions& x) const {
-  const MeshPath& path = paths_[p];
+  const MeshPath& path = paths()[p];
   const PathPlaces places(*this, path, x, state);
   const PathCurve& curve = places.curve();
   const CurveMeasure measure(curve, size);

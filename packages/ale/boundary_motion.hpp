@@ -50,17 +50,15 @@ class BoundaryMotion {
 
   /// New positions of the nodes on paths, in space also on surfaces, mid-side nodes included; the others as in `x`.
   Positions move(const Positions& x, const State& state) const;
-  const std::vector<MeshPath>& paths() const { return paths_; }
+  /// The boundaries of the regions, on which this has marked what stays material.
+  const MeshSurfaces& parts() const { return surfaces_.surfaces(); }
+  const std::vector<MeshPath>& paths() const { return parts().curves; }
   const SurfaceMotion& surfaces() const { return surfaces_; }
   /// (path) the sides that it had in the deck's mesh.
   const std::vector<PathOrigin>& origins() const { return origins_; }
   /// (node) in space, set at vertices of the boundary: edge length in the deck's mesh over the size field there [-].
   /// The edge length is that of a regular triangle with the area of a face, in the mean of the faces around.
   const std::vector<double>& relative_sizes() const { return relative_sizes_; }
-  /// Whether a path's nodes stay material points.
-  bool material(const MeshPath& path) const { return material(path.sets); }
-  /// Whether the nodes of sides that belong to these sets stay material points.
-  bool material(const std::set<std::string>& sets) const;
   bool axisymmetric() const { return axisymmetric_; }
   bool in_space() const { return in_space_; }
   /// Position of the focus [m]; the origin where there is none.
@@ -76,19 +74,23 @@ class BoundaryMotion {
 
  private:
   bool starts_on_body(const Point& x) const;
-  void bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RemeshedMesh* remeshed);
-  void take_sizes(const Positions& source, const SizeField& size);
+  MeshSurfaces deck_parts(const GhostedMesh& mesh, const Positions& source) const;
+  MeshSurfaces remeshed_parts(const GhostedMesh& mesh, const RemeshedMesh& remeshed) const;
+  std::set<int> corner_nodes(const GhostedMesh& mesh) const;
+  /// Whether the nodes of sides that belong to these sets stay material points.
+  bool material(const std::set<std::string>& sets) const;
+  /// See relative_sizes().
+  std::vector<double> remeshed_sizes(const GhostedMesh& mesh, const RemeshedMesh& remeshed) const;
+  std::vector<double> deck_sizes(const Positions& source, const SizeField& size) const;
   void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
 
   std::string focus_;
   bool axisymmetric_ = false, in_space_ = false;
   double near_size_ = 0, near_distance_ = 0, growth_ = 0.3, largest_slide_ = 0.4, corner_angle_ = 30;
   std::vector<std::string> corners_, material_sides_;
-  std::vector<MeshPath> paths_;
   std::vector<PathOrigin> origins_;
   std::vector<std::vector<double>> shares_;  // (path, vertex) measure in the source's mesh, as a share of the total
-  std::vector<char> slides_;                 // (path)
-  SurfaceMotion surfaces_;                   // in space
+  SurfaceMotion surfaces_;                   // it keeps the paths too
   std::vector<double> relative_sizes_;       // in space
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
 };

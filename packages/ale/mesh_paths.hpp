@@ -15,8 +15,11 @@ struct MeshPath {
   int stride;                  // 2 with mid-side nodes, 1 without
   std::set<std::string> sets;  // side sets that all its sides belong to
   bool outer = true;           // on the boundary of the mesh, not between two regions
+  bool material = false;       // its nodes stay material points; see BoundaryMotion
 
   int num_vertices() const { return static_cast<int>(nodes.size() - 1) / stride + 1; }
+  /// Whether nodes between its ends may slide.
+  bool slides() const { return num_vertices() > 2 && !material; }
   /// The side that begins at this one of its nodes.
   SideLocator::Side side(int first) const;
 };

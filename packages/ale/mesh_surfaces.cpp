@@ -189,6 +189,24 @@ MeshSurfaces joined_surfaces(std::vector<SurfaceFace> faces, std::vector<MeshPat
   return result;
 }
 
+std::vector<char> fixed_nodes(const MeshSurfaces& boundary, std::size_t nodes) {
+  std::vector<char> result(nodes, 0);
+  for (const SurfaceFace& face : boundary.faces)
+    for (int a = 0; a < num_nodes(face.shape); ++a) {
+      const int node = face.nodes[a];
+      const bool corner = boundary.patch_of[node] < 0;  // also true on curves, corrected below
+      result[node] = corner || boundary.patches[face.patch].material;
+    }
+  for (const MeshPath& path : boundary.curves)
+    for (int node : path.nodes) result[node] = 0;
+  for (const MeshPath& path : boundary.curves) {
+    result[path.nodes.front()] = result[path.nodes.back()] = 1;
+    if (path.material)
+      for (int node : path.nodes) result[node] = 1;
+  }
+  return result;
+}
+
 MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
                             double corner_angle, const std::function<bool(int node)>& on_body) {
   return SurfaceSplitter(std::move(faces), source, corners, corner_angle, on_body).split();

@@ -25,6 +25,7 @@ struct SurfacePatch {
   std::vector<int> faces;
   std::set<std::string> sets;  // side sets that all its faces belong to
   bool outer = true;
+  bool material = false;  // its nodes stay material points; see BoundaryMotion
 };
 
 /// The simplex at a corner of an element whose vertices are all on boundaries of regions, so that no inner vertex can
@@ -36,14 +37,18 @@ struct BoundarySimplex {
   std::array<int, 4> mid_side_nodes;
 };
 
-/// The boundaries of the regions of a mesh in space, split where they have edges. A node is inside one patch, or on
-/// feature curves, whose ends are material points.
+/// The boundaries of the regions of a mesh. In space they are split into patches where they have edges; a node is
+/// inside one patch, or on feature curves. In the plane there are curves alone. The ends of curves are material points.
 struct MeshSurfaces {
   std::vector<SurfaceFace> faces;
   std::vector<SurfacePatch> patches;
   std::vector<MeshPath> curves;
   std::vector<int> patch_of;  // (node) the patch that it is inside; -1: none
 };
+
+/// (node) whether a remeshing leaves it where it is: an end of a curve, a corner inside a patch, or a node of a
+/// material curve or patch. `nodes`: number of nodes of the mesh.
+std::vector<char> fixed_nodes(const MeshSurfaces& boundary, std::size_t nodes);
 
 /// The faces of the boundaries of all regions.
 std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh);

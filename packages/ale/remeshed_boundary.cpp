@@ -19,7 +19,7 @@ class SurfaceRemeshing {
  public:
   SurfaceRemeshing(const Remesher& plan, const Positions& x, const State& state)
       : boundary_(plan.boundary()),
-        surfaces_(boundary_.surfaces().surfaces()),
+        surfaces_(boundary_.parts()),
         x_(x),
         body_([this, &state](const Point& at) { return boundary_.projection(state, at); }),
         gaps_(body_, x),
@@ -27,11 +27,8 @@ class SurfaceRemeshing {
     for (const MeshPath& path : surfaces_.curves)
       curves_.push_back(std::make_unique<PathPlaces>(boundary_, path, x, state));
     for (std::size_t p = 0; p < surfaces_.patches.size(); ++p) planes_.emplace_back(surfaces_, static_cast<int>(p), x);
-    std::vector<char> keeps_patch, keeps_curve;
-    for (const SurfacePatch& patch : surfaces_.patches) keeps_patch.push_back(boundary_.material(patch.sets));
-    for (const MeshPath& path : surfaces_.curves) keeps_curve.push_back(boundary_.material(path));
     const SurfaceSizes sizes{boundary_.relative_sizes(), plan.wanted_on_surface(state)};
-    made_.mesh = SurfaceRemesher(surfaces_, x, sizes, keeps_patch, keeps_curve).remesh();
+    made_.mesh = SurfaceRemesher(surfaces_, x, sizes).remesh();
   }
 
   RemeshedBoundary make() {

@@ -70,7 +70,7 @@ Remesher::Remesher(const GhostedMesh& mesh, const BoundaryMotion& boundary, cons
                    const Section& section)
     : mesh_(mesh), boundary_(boundary), deck_(deck) {
   if (!in_space()) find_neighbours();
-  find_fixed();
+  fixed_node_ = fixed_nodes(boundary_.parts(), mesh_.num_nodes());
   check(section);
   if (in_space()) find_names(section);
   check_sets(section);
@@ -90,27 +90,6 @@ void Remesher::find_neighbours() {
     look(path.nodes[0], path.nodes[path.stride], here.left, here.left_sets);
     look(path.nodes[path.stride], path.nodes[0], here.right, here.right_sets);
     beside_.push_back(here);
-  }
-}
-
-void Remesher::find_fixed() {
-  fixed_node_.assign(mesh_.num_nodes(), 0);
-  if (in_space()) {
-    const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
-    for (const SurfaceFace& face : surfaces.faces)
-      for (int a = 0; a < num_nodes(face.shape); ++a) {
-        const int node = face.nodes[a];
-        const bool corner = surfaces.patch_of[node] < 0;  // also true on curves, corrected below
-        fixed_node_[node] = corner || boundary_.material(surfaces.patches[face.patch].sets);
-      }
-    for (const MeshPath& path : boundary_.paths())
-      for (int node : path.nodes) fixed_node_[node] = 0;
-  }
-  for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
-    const std::vector<int>& nodes = boundary_.paths()[p].nodes;
-    fixed_node_[nodes.front()] = fixed_node_[nodes.back()] = 1;
-    for (int node : nodes)
-      if (kept(p)) fixed_node_[node] = 1;
   }
 }
 
@@ -137,7 +116,7 @@ void Remesher::check_space(const Section& section) const {
 void Remesher::find_names(const Section& section) {
   const auto corners = [](const auto& nodes) { return std::set<int>{nodes[0], nodes[1], nodes[2]}; };
   std::map<std::set<int>, int> patches;  // by corners
-  for (const SurfaceFace& face : boundary_.surfaces().surfaces().faces) patches[corners(face.nodes)] = face.patch;
+  for (const SurfaceFace& face : boundary_.parts().faces) patches[corners(face.nodes)] = face.patch;
   for (const auto& side : mesh_.boundary()) {
     const auto [names, added] = names_.emplace(std::make_pair(patches.at(corners(side.nodes)), side.block), side.sets);
     if (added || names->second == side.sets) continue;
@@ -170,7 +149,7 @@ void Remesher::check_sets(const Section& section) const {
                    "' is not made of whole boundaries of regions: it would be lost when the mesh is remeshed");
   for (const auto& [name, nodes] : mesh_.node_sets())
     for (int node : nodes)
-      if (!keeps(node))
+      if (!fixed(node))
         section.fail("the point set '" + name + "' would be lost when the mesh is remeshed" +
                      "; name it in boundary/corners, or a side set that it lies on in boundary/material sides");
 }
@@ -202,18 +181,16 @@ std::function<double(double relative, const Point& at)> Remesher::wanted_on_surf
 
 double Remesher::largest_edge(const Positions& x, const State& state) const {
   const auto wanted = wanted_on_surface(state);
-  const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
+  const MeshSurfaces& surfaces = boundary_.parts();
   std::set<std::pair<int, int>> fixed_edges;  // on curves
-  for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
-    const MeshPath& path = boundary_.paths()[p];
-    if (kept(p))
+  for (const MeshPath& path : boundary_.paths())
+    if (path.material)
       for (std::size_t i = path.stride; i < path.nodes.size(); i += path.stride)
         fixed_edges.insert(std::minmax(path.nodes[i - path.stride], path.nodes[i]));
-  }
   std::vector<double> size(x.size(), 0.0);
   double largest = 0;
   for (const SurfaceFace& face : surfaces.faces) {
-    if (boundary_.material(surfaces.patches[face.patch].sets)) continue;
+    if (surfaces.patches[face.patch].material) continue;
     for (int k = 0; k < 3; ++k) {
       const int ends[2] = {face.nodes[k], face.nodes[(k + 1) % 3]};
       for (int node : ends)
@@ -229,8 +206,8 @@ double Remesher::largest_side(const Positions& x, const State& state) const {
   double largest = 0;
   if (in_space()) return largest_edge(x, state);
   for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
-    if (kept(p)) continue;
     const MeshPath& path = boundary_.paths()[p];
+    if (path.material) continue;
     const PathPlaces places(boundary_, path, x, state);
     const PathCurve& curve = places.curve();
     const auto size = wanted(p, curve, state, nullptr);
@@ -248,7 +225,7 @@ DividedPath Remesher::divided(std::size_t p, const Positions& x, const State& st
   const PathCurve& curve = places.curve();
   const int last = static_cast<int>(path.nodes.size()) - 1;
   std::vector<double> s{0};  // of the new vertices [m]
-  if (kept(p)) {
+  if (path.material) {
     for (int i = path.stride; i <= last; i += path.stride) s.push_back(curve.parameter(i));
   } else {
     const auto size = wanted(p, curve, state, sizes);
@@ -265,15 +242,15 @@ DividedPath Remesher::divided(std::size_t p, const Positions& x, const State& st
   const int sides = static_cast<int>(s.size()) - 1;
   for (int v = 0; v <= sides; ++v) {
     const bool end = v == 0 || v == sides;
-    if (kept(p) || end)
-      result.vertices.push_back(in_plane(x[path.nodes[kept(p) ? v * path.stride : v == 0 ? 0 : last]]));
+    if (path.material || end)
+      result.vertices.push_back(in_plane(x[path.nodes[path.material ? v * path.stride : v == 0 ? 0 : last]]));
     else
       result.vertices.push_back(in_plane(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride)));
   }
   if (path.stride == 2)
     for (int k = 0; k < sides; ++k)
       result.mid_side_nodes.push_back(
-          in_plane(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k])));
+          in_plane(path.material ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k])));
   return result;
 }
 

@@ -54,10 +54,8 @@ class Remesher {
   const GhostedMesh& mesh() const { return mesh_; }
   const BoundaryMotion& boundary() const { return boundary_; }
   const PathNeighbours& beside(std::size_t path) const { return beside_[path]; }
-  /// Whether the path keeps its nodes.
-  bool kept(std::size_t path) const { return boundary_.material(boundary_.paths()[path]); }
-  /// Whether a node is fixed: it stays where it is.
-  bool keeps(int node) const { return fixed_node_[node] != 0; }
+  /// Whether a node is fixed, see fixed_nodes().
+  bool fixed(int node) const { return fixed_node_[node] != 0; }
 
   /// Side sets, in space, of a block's sides on a patch.
   const std::set<std::string>& names(int patch, int block) const { return names_.at({patch, block}); }
@@ -78,7 +76,6 @@ class Remesher {
 
  private:
   void find_neighbours();
-  void find_fixed();
   void find_names(const Section& section);
   void check(const Section& section) const;
   void check_space(const Section& section) const;

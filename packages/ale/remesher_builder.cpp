@@ -103,7 +103,7 @@ void PlaneBuilder::add_path(std::size_t p, const DividedPath& divided) {
       if (!added) continue;
     } else {
       chain.push_back(static_cast<int>(vertices_.size()));
-      if (plan_.kept(p)) vertex_of_[old[v * paths_[p].stride]] = chain.back();
+      if (paths_[p].material) vertex_of_[old[v * paths_[p].stride]] = chain.back();
     }
     vertices_.push_back(divided.vertices[v]);
   }

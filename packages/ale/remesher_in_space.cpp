@@ -206,7 +206,7 @@ class SpaceBuilder {
 };
 
 std::vector<SpaceBuilder::Side> SpaceBuilder::sides() const {
-  const MeshSurfaces& surfaces = plan_.boundary().surfaces().surfaces();
+  const MeshSurfaces& surfaces = plan_.boundary().parts();
   std::vector<Side> result;
   for (const RemeshedSurface::Face& face : surface_.mesh.faces) {
     const SurfaceFace& old = surfaces.faces[surfaces.patches[face.patch].faces.front()];
@@ -263,8 +263,8 @@ double SpaceBuilder::quality(const std::array<int, 4>& corners) const {
 }
 
 bool SpaceBuilder::may_change(int patch) const {
-  const SurfacePatch& of = plan_.boundary().surfaces().surfaces().patches[patch];
-  return of.outer && !plan_.boundary().material(of.sets);
+  const SurfacePatch& of = plan_.boundary().parts().patches[patch];
+  return of.outer && !of.material;
 }
 
 void SpaceBuilder::peel(std::vector<std::array<int, 4>>& tetrahedra) {

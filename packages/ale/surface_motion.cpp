@@ -8,12 +8,9 @@
 
 namespace mudline {
 
-SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides,
-                             double largest_slide, const std::vector<BoundarySimplex>& simplices)
-    : surfaces_(std::move(surfaces)),
-      slides_(std::move(slides)),
-      largest_slide_(largest_slide),
-      nodes_(static_cast<int>(source.size())) {
+SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const Positions& source, double largest_slide,
+                             const std::vector<BoundarySimplex>& simplices)
+    : surfaces_(std::move(surfaces)), largest_slide_(largest_slide), nodes_(static_cast<int>(source.size())) {
   at_.resize(source.size());
   near_.resize(source.size());
   collect(source);
@@ -25,7 +22,7 @@ void SurfaceMotion::collect(Positions source) {
   patches_.resize(surfaces_.patches.size());
   std::vector<std::vector<int>> touching(nodes_);  // faces by node
   for (std::size_t p = 0; p < patches_.size(); ++p) {
-    if (!slides_[p]) continue;
+    if (surfaces_.patches[p].material) continue;
     patches_[p].faces = surfaces_.patches[p].faces;
     for (int f : patches_[p].faces) {
       const SurfaceFace& face = surfaces_.faces[f];
@@ -127,7 +124,10 @@ std::array<Point, 4> SurfaceMotion::corners_of(const BoundarySimplex& simplex, c
 }
 
 void SurfaceMotion::add_tetrahedron(const BoundarySimplex& simplex, const Positions& source) {
-  const auto slides = [&](int node) { return surfaces_.patch_of[node] >= 0 && slides_[surfaces_.patch_of[node]]; };
+  const auto slides = [&](int node) {
+    const int patch = surfaces_.patch_of[node];
+    return patch >= 0 && !surfaces_.patches[patch].material;
+  };
   if (std::none_of(simplex.nodes.begin(), simplex.nodes.end(), slides)) return;
   for (int node : simplex.nodes) tetrahedra_at_[node].push_back(static_cast<int>(tetrahedra_.size()));
   tetrahedra_.push_back({simplex, IdealSimplex<3>(corners_of(simplex, source))});

@@ -26,9 +26,8 @@ class SurfaceMotion {
  public:
   SurfaceMotion() = default;
   /// `largest_slide`: largest motion of a vertex at once, as a share of the distance to the opposite edges of the faces
-  /// around. `slides`: (patch) whether its nodes may slide. `simplices`: those of the elements that have no vertex
-  /// inside.
-  SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides, double largest_slide,
+  /// around. Nodes of material patches do not slide. `simplices`: those of the elements that have no vertex inside.
+  SurfaceMotion(MeshSurfaces surfaces, const Positions& source, double largest_slide,
                 const std::vector<BoundarySimplex>& simplices = {});
 
   /// `x_old`: all nodes before they move. `x`: on entry the same, but with the nodes of curves at their wanted places;
@@ -102,7 +101,6 @@ class SurfaceMotion {
   SurfacePlace nearest(int node, int guess, const Positions& x_old, const Point& point) const;
 
   MeshSurfaces surfaces_;
-  std::vector<char> slides_;  // (patch)
   double largest_slide_ = 0.4;
   std::vector<Patch> patches_;  // those that slide
   std::vector<MidSideNode> curve_mid_side_nodes_;

@@ -16,15 +16,8 @@ constexpr double facing_enough = 0.7;                    // cosine
 
 }  // namespace
 
-SurfaceRemesher::SurfaceRemesher(const MeshSurfaces& surfaces, const Positions& x, SurfaceSizes sizes,
-                                 std::vector<char> keeps_patch, std::vector<char> keeps_curve)
-    : surfaces_(surfaces),
-      sizes_(std::move(sizes)),
-      keeps_patch_(std::move(keeps_patch)),
-      keeps_curve_(std::move(keeps_curve)),
-      rounded_(x),
-      x_(rounded_(x)),
-      locator_(surfaces.faces, x_) {
+SurfaceRemesher::SurfaceRemesher(const MeshSurfaces& surfaces, const Positions& x, SurfaceSizes sizes)
+    : surfaces_(surfaces), sizes_(std::move(sizes)), rounded_(x), x_(rounded_(x)), locator_(surfaces.faces, x_) {
   for (std::size_t p = 0; p < surfaces.patches.size(); ++p) planes_.emplace_back(surfaces, static_cast<int>(p), x_);
   take_vertices();
   take_curves();
@@ -32,6 +25,7 @@ SurfaceRemesher::SurfaceRemesher(const MeshSurfaces& surfaces, const Positions& 
 }
 
 void SurfaceRemesher::take_vertices() {
+  const std::vector<char> fixed = fixed_nodes(surfaces_, x_.size());
   std::map<int, int> number;
   for (const SurfaceFace& face : surfaces_.faces) {
     Face made{{}, face.patch};
@@ -43,7 +37,7 @@ void SurfaceRemesher::take_vertices() {
         vertex.place = x_[node];
         vertex.node = node;
         vertex.relative = sizes_.relative[node];
-        vertex.fixed = surfaces_.patch_of[node] < 0;  // for nodes inside curves see below
+        vertex.fixed = fixed[node];
         vertices_.push_back(vertex);
         resize(vertices_.back());
       }
@@ -53,20 +47,6 @@ void SurfaceRemesher::take_vertices() {
     }
     faces_.push_back(made);
   }
-  for (const MeshPath& path : surfaces_.curves)
-    for (int v = 1; v + 1 < path.num_vertices(); ++v) vertices_[number.at(path.nodes[v * path.stride])].fixed = false;
-  std::set<int> ends;
-  for (std::size_t c = 0; c < surfaces_.curves.size(); ++c) {
-    const MeshPath& path = surfaces_.curves[c];
-    for (int v = 0; v < path.num_vertices(); ++v) {
-      const int at = number.at(path.nodes[v * path.stride]);
-      const bool end = v == 0 || v + 1 == path.num_vertices();
-      if (end || keeps_curve_[c]) vertices_[at].fixed = true;
-    }
-  }
-  for (const Face& face : faces_)
-    for (int corner : face.corners)
-      if (keeps_patch_[face.patch]) vertices_[corner].fixed = true;
 }
 
 void SurfaceRemesher::take_curves() {
@@ -187,7 +167,8 @@ std::vector<int> SurfaceRemesher::neighbours(int vertex) const {
 
 bool SurfaceRemesher::keeps_edge(int a, int b, const std::vector<int>& around) const {
   const auto on_curve = curve_edges_.find(ends(a, b));
-  return on_curve != curve_edges_.end() ? keeps_curve_[on_curve->second.curve] : keeps_patch_[faces_[around[0]].patch];
+  return on_curve != curve_edges_.end() ? surfaces_.curves[on_curve->second.curve].material
+                                        : surfaces_.patches[faces_[around[0]].patch].material;
 }
 
 std::vector<SurfaceRemesher::Ends> SurfaceRemesher::edges() const {

@@ -46,15 +46,13 @@ struct RemeshedSurface {
 /// Remeshes a surface of triangles, patch by patch within the curves between them, by local operations on its faces
 /// (Botsch & Kobbelt 2004): edges longer than 4/3 of the wanted length are split, those shorter than 4/5 collapsed,
 /// edges flipped where that raises the lower mean ratio of the two faces, and vertices moved towards the middle of the
-/// faces around. Vertices stay on the curved old surface, and those of curves on their curve. Ends of curves, other
-/// material points, and the patches and curves named in the constructor do not change; neither do edges and faces that
-/// are good already. All decisions are made on rounded places and sizes, so that rounding errors do not change the
-/// mesh. Serial.
+/// faces around. Vertices stay on the curved old surface, and those of curves on their curve. Fixed nodes
+/// and the faces of material patches do not change; neither do edges and faces that are good already. All decisions are
+/// made on rounded places and sizes, so that rounding errors do not change the mesh. Serial.
 class SurfaceRemesher {
  public:
-  /// `x`: of the nodes. `keeps_patch`, `keeps_curve`: whether the faces and nodes of a patch or curve stay.
-  SurfaceRemesher(const MeshSurfaces& surfaces, const Positions& x, SurfaceSizes sizes, std::vector<char> keeps_patch,
-                  std::vector<char> keeps_curve);
+  /// `x`: of the nodes.
+  SurfaceRemesher(const MeshSurfaces& surfaces, const Positions& x, SurfaceSizes sizes);
   SurfaceRemesher(const SurfaceRemesher&) = delete;
   SurfaceRemesher& operator=(const SurfaceRemesher&) = delete;
   RemeshedSurface remesh();
@@ -130,7 +128,6 @@ class SurfaceRemesher {
 
   const MeshSurfaces& surfaces_;
   SurfaceSizes sizes_;
-  std::vector<char> keeps_patch_, keeps_curve_;
   Rounding rounded_;
   Positions x_;  // rounded
   FaceLocator locator_;

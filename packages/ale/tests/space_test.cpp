@@ -309,7 +309,7 @@ TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTh
     for (int d = 0; d < 3; ++d) sides += at[d] == 0 || at[d] == 1;
     EXPECT_EQ(surfaces.patch_of[node] >= 0, sides == 1);
   }
-  const SurfaceMotion motion(surfaces, start, std::vector<char>(6, 1), 0.4);
+  const SurfaceMotion motion(surfaces, start, 0.4);
   // Vertices inside the faces start displaced along them; mid-side nodes and inner nodes follow.
   Positions x_old = start;
   for (int node = 0; node < whole.num_nodes(); ++node)

@@ -52,9 +52,7 @@ struct Grid {
     return x;
   }
   SurfaceMotion motion(const Places& source, double slide = 0.4) const {
-    MeshSurfaces surfaces = split_surfaces(faces, source, {}, pi / 6, [](int) { return false; });
-    const std::vector<char> slides(surfaces.patches.size(), 1);
-    return {std::move(surfaces), source, slides, slide};
+    return {split_surfaces(faces, source, {}, pi / 6, [](int) { return false; }), source, slide};
   }
   bool inside(int node) const {
     const int i = node % columns, j = node / columns;
@@ -266,7 +264,7 @@ TEST(SurfaceMotion, VerticesGiveWayToATetrahedronWithoutAVertexInside) {
   const BoundarySimplex simplex{{vertex, first, first + 2, first + 1}, {-1, -1, -1, -1}};
   const Places source = wall(1.8);
   MeshSurfaces surfaces = split_surfaces(grid.faces, source, {}, pi / 6, [](int) { return false; });
-  const SurfaceMotion motion(surfaces, source, {1}, 0.4, {simplex});
+  const SurfaceMotion motion(surfaces, source, 0.4, {simplex});
   Places x = source;
   motion.move(source, no_body, x);
   EXPECT_EQ(x, source);

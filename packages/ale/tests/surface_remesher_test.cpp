@@ -22,19 +22,16 @@ struct Surface {
     surfaces = split_surfaces(boundary_faces(whole), source, {}, pi / 6, [](int) { return false; });
     for (const Point& place : source) x.push_back(map(place));
     relative.assign(x.size(), 1.0);
-    keeps_patch.assign(surfaces.patches.size(), 0);
-    keeps_curve.assign(surfaces.curves.size(), 0);
   }
   RemeshedSurface remesh(const std::function<double(const Point&)>& size) const {
     const SurfaceSizes sizes{relative, [&](double factor, const Point& at) { return factor * size(at); }};
-    return SurfaceRemesher(surfaces, x, sizes, keeps_patch, keeps_curve).remesh();
+    return SurfaceRemesher(surfaces, x, sizes).remesh();
   }
   std::unique_ptr<Mesh> mesh;
   GhostedMesh whole;
   MeshSurfaces surfaces;
   Positions source, x;
   std::vector<double> relative;
-  std::vector<char> keeps_patch, keeps_curve;
 };
 
 /// Maps the cube to a round bar of radius 1 and length 3: squares become circles.
@@ -150,15 +147,12 @@ TEST(SurfaceRemesher, WhatIsGoodStaysAndWhatIsKeptToo) {
         EXPECT_LT(distance(vertex.place, was.x[vertex.node]), 1e-7);
       }
   };
-  for (std::size_t p = 0; p < was.surfaces.patches.size(); ++p)
-    was.keeps_patch[p] = was.surfaces.patches[p].sets.count("top");
+  for (SurfacePatch& patch : was.surfaces.patches) patch.material = patch.sets.count("top");
   std::set<int> on_top;
   for (std::size_t node = 0; node < was.x.size(); ++node)
     if (was.source[node][2] == 1 && was.whole.is_vertex(static_cast<int>(node))) on_top.insert(static_cast<int>(node));
-  for (std::size_t c = 0; c < was.surfaces.curves.size(); ++c) {
-    const std::vector<int>& nodes = was.surfaces.curves[c].nodes;
-    was.keeps_curve[c] = was.source[nodes.front()][2] == 1 && was.source[nodes.back()][2] == 1;
-  }
+  for (MeshPath& path : was.surfaces.curves)
+    path.material = was.source[path.nodes.front()][2] == 1 && was.source[path.nodes.back()][2] == 1;
   const RemeshedSurface made = was.remesh([](const Point&) { return 0.15; });
   EXPECT_TRUE(closed(made));
   node_places(made);
