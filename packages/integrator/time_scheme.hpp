@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// Coefficients of one step; everything the stepper needs to know of a time integrator.
+/// Coefficients of one step; everything a step needs to know of a time integrator.
 /// Second-order fields (displacement): Chung and Hulbert 1993, alphas weigh the old level. First-order fields (pore
 /// pressure): Jansen, Whiting and Hulbert 2000, alphas weigh the new level; or `incremental`: the balance is written
 /// over the whole step with differences, Delta u/dt, Delta p/dt and p_n + theta Delta p (Booker and Small; Kontoe et

@@ -78,11 +78,11 @@ void Balances::jump(const std::function<void()>& change) {
 }
 
 void Balances::add_step() {
-  const Stepper& stepper = model_.stepper();
-  const StepView& view = stepper.view();
+  const StepSystem& system = model_.system();
+  const StepView& view = system.view();
   const Space& space = model_.space();
   const int u = space.find("displacement"), p = space.find("pore pressure");
-  const int terms = static_cast<int>(stepper.active().size());
+  const int terms = static_cast<int>(system.active().size());
   // this rank's shares: work by term, reaction work, outflow, excess work, force without inertia by direction
   const int by_reaction = terms, flown = terms + 1, excess = terms + 2, pushed = terms + 3;
   std::vector<double> local(pushed + axis_names.size(), 0.0);
@@ -90,7 +90,7 @@ void Balances::add_step() {
   // dissipation.
   std::vector<std::pair<NodalView, NodalView>> ends(terms);
   for (int k = 0; k < terms; ++k) {
-    const int slot = stepper.active()[k]->role() == Role::contact ? -1 : stepper.history_slot(k);
+    const int slot = system.active()[k]->role() == Role::contact ? -1 : system.history_slot(k);
     if (slot >= 0)
       ends[k] = {model_.store().committed().history_forces[slot], model_.store().trial().history_forces[slot]};
   }
@@ -98,13 +98,13 @@ void Balances::add_step() {
     const double du = view.value_end(i) - view.value_old(i);
     const bool pushes = direction < dimension();  // a moment adds no linear momentum
     for (int k = 0; k < terms; ++k) {
-      const double force = stepper.term_force(k)(i);
+      const double force = system.term_force(k)(i);
       local[k] += force * du;
       if (ends[k].first.extent(0) > 0) local[excess] += (force - 0.5 * (ends[k].first(i) + ends[k].second(i))) * du;
-      if (pushes && stepper.active()[k]->role() != Role::inertia) local[pushed + direction] -= force;
+      if (pushes && system.active()[k]->role() != Role::inertia) local[pushed + direction] -= force;
     }
-    local[by_reaction] += stepper.reaction()(i) * du;
-    if (pushes) local[pushed + direction] += stepper.reaction()(i);
+    local[by_reaction] += system.reaction()(i) * du;
+    if (pushes) local[pushed + direction] += system.reaction()(i);
   };
   if (u >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
@@ -117,7 +117,7 @@ void Balances::add_step() {
       for (int i = begin; i < end; ++i) local[flown] += outflow_at(i);
   const std::vector<double> total = sum_over_ranks(*space.dofs()->comm(), local);
   const PointView rows = model_.store().trial().arrays[handle_];
-  for (int k = 0; k < terms; ++k) rows(row_of(stepper.active()[k]), 0) += total[k];
+  for (int k = 0; k < terms; ++k) rows(row_of(system.active()[k]), 0) += total[k];
   rows(reaction_work, 0) += total[by_reaction];
   rows(excess_work, 0) += view.inertia ? total[excess] : 0.0;
   rows(outflow, 0) += view.flow ? total[flown] * view.dt : 0.0;
@@ -127,15 +127,15 @@ void Balances::add_step() {
 }
 
 double Balances::outflow_at(int dof) const {
-  const Stepper& stepper = model_.stepper();
-  double out = -stepper.reaction()(dof);  // through prescribed nodes
-  for (std::size_t k = 0; k < stepper.active().size(); ++k)
-    if (exchanges(*stepper.active()[k])) out += stepper.term_force(static_cast<int>(k))(dof);
+  const StepSystem& system = model_.system();
+  double out = -system.reaction()(dof);  // through prescribed nodes
+  for (std::size_t k = 0; k < system.active().size(); ++k)
+    if (exchanges(*system.active()[k])) out += system.term_force(static_cast<int>(k))(dof);
   return out;
 }
 
 void Balances::add_conserved(const PointView& rows) {
-  const StepView& view = model_.stepper().view();
+  const StepView& view = model_.system().view();
   const Space& space = model_.space();
   for (std::size_t c = 0; c < model_.conserved().size(); ++c) {
     const Conserved& what = model_.conserved()[c];

@@ -204,7 +204,7 @@ void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progr
   const Comm& comm = *model.mesh().comm();
   CheckpointData data;
   // this comes first, because a solver may free memory here that the arrays then use
-  data.arrays["linear solver"] = model.stepper().solver_memory();
+  data.arrays["linear solver"] = model.system().solver_memory();
   for (const StateArray& array : arrays_of(model, pressure.initial())) {
     data.arrays[array.name].assign(array.values, array.values + array.size);
     // an array without rows on this rank may have some on others
@@ -348,10 +348,10 @@ void Checkpoint::resume(double time, HistoryOutput& history, FieldOutput& fields
   fields.go_on({static_cast<long long>(scalar(data_, "field steps")), time, accept_changes_, field_marks_of(data_)});
 }
 
-void Checkpoint::restore_solver(Stepper& stepper) const {
+void Checkpoint::restore_solver(StepSystem& system) const {
   const auto found = data_.arrays.find("linear solver");
   // the numbers belong to the ranks' parts of the matrix, so they need the same partition
-  if (data_.ranks == 0 && found != data_.arrays.end()) stepper.restore_solver(found->second);
+  if (data_.ranks == 0 && found != data_.arrays.end()) system.restore_solver(found->second);
 }
 
 }  // namespace mudline

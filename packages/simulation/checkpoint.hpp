@@ -35,7 +35,7 @@ class Checkpoint {
   /// After read(): lets the files of the results go on from `time` [s], where the checkpoint stands.
   void resume(double time, HistoryOutput& history, FieldOutput& fields) const;
   /// After read(): restores the memory of the linear solver, where the ranks have the parts that they had.
-  void restore_solver(Stepper& stepper) const;
+  void restore_solver(StepSystem& system) const;
 
  private:
   /// Throws InputError for a difference from the checkpoint's model unless the user accepts it; then it warns.

@@ -5,6 +5,7 @@
 
 #include "core/log.hpp"
 #include "core/told.hpp"
+#include "integrator/consistent_rates.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -25,7 +26,7 @@ void InitialRates::give(const StepRequest& first) const {
   if (stage_.type != Stage::Type::dynamic) return;
   if (before_ && before_->type == Stage::Type::quasi_static) judge(first);
   if (stage_.initial_rates == Stage::InitialRates::consistent &&
-      !model_.stepper().initialise_rates(first, model_.tolerances().linear)) {
+      !give_consistent_rates(model_.system(), first, model_.tolerances().linear)) {
     log::warn("initial accelerations cannot be computed; stage '" + stage_.name + "' starts from zero ones");
     Kokkos::deep_copy(state.acceleration, 0.0);
   }
@@ -33,7 +34,7 @@ void InitialRates::give(const StepRequest& first) const {
 
 void InitialRates::judge(const StepRequest& first) const {
   const double velocity = largest_velocity();
-  if (velocity == 0 || model_.stepper().misfit_of_rates(first, model_.tolerances()) < fits) return;
+  if (velocity == 0 || misfit_of_rates(model_.system(), first, model_.tolerances()) < fits) return;
   const std::string found = "stage '" + before_->name + "' without inertia left velocities of up to " + told(velocity) +
                             " m/s, which its loads made and nothing in stage '" + stage_.name + "' keeps up";
   if (stage_.initial_rates == Stage::InitialRates::keep) {

@@ -103,8 +103,8 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
     body->declare_state(*store_);
     body->set_active(false);  // until the first stage
   }
-  stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_,
-                                       [this](const StepView& view) { return block_data(view); });
+  system_ = std::make_unique<StepSystem>(*space_, *store_, terms, *solver_,
+                                         [this](const StepView& view) { return block_data(view); });
   if (ale_)
     if (const std::string problem = ale_->problem(*store_); !problem.empty()) deck.section("mesh motion").fail(problem);
   if (!remeshed_) initialise(deck);
@@ -313,8 +313,8 @@ void Model::activate(const Stage& stage, bool fresh) {
     for (const auto& condition : conditions_)
       if (condition->term() && names.count(condition->name) && active_conditions_.count(condition->name))
         staying.push_back(condition->term());
-    stepper_->activate(staying);
-    const NodalView unbalanced = stepper_->static_residual();
+    system_->activate(staying);
+    const NodalView unbalanced = system_->static_residual();
     Constraints held(static_cast<int>(unbalanced.extent(0)));
     prescribe(stage, store_->committed().time, store_->committed().time, store_->committed(), held);
     for (std::size_t i = 0; i < unbalanced.extent(0); ++i)
@@ -324,7 +324,7 @@ void Model::activate(const Stage& stage, bool fresh) {
         condition->activate(store_->committed(), unbalanced);
   }
   active.insert(active.end(), loads.begin(), loads.end());
-  stepper_->activate(active);
+  system_->activate(active);
   active_conditions_ = names;
 }
 
@@ -348,7 +348,7 @@ void Model::start_bodies(const Stage& stage) {
     return still || changed_motions_.count(body.name()) > 0;
   };
   if (std::none_of(bodies_.begin(), bodies_.end(), [&](const auto& entry) { return starts(*entry.second); })) return;
-  const NodalView unbalanced = stepper_->static_residual();
+  const NodalView unbalanced = system_->static_residual();
   for (const auto& [name, body] : bodies_)
     if (starts(*body)) set_free(*body, store_->committed(), unbalanced, changed_motions_.count(name) > 0);
 }

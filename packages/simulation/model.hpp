@@ -9,7 +9,7 @@
 #include "ale/ale.hpp"
 #include "bodies/body_terms.hpp"
 #include "framework/closed_sides.hpp"
-#include "integrator/stepper.hpp"
+#include "integrator/step_system.hpp"
 #include "simulation/registries.hpp"
 #include "simulation/stage.hpp"
 
@@ -34,8 +34,8 @@ class Model {
   const Space& space() const { return *space_; }
   StateStore& store() { return *store_; }
   const StateStore& store() const { return *store_; }
-  Stepper& stepper() { return *stepper_; }
-  const Stepper& stepper() const { return *stepper_; }
+  StepSystem& system() { return *system_; }
+  const StepSystem& system() const { return *system_; }
   const Materials& materials() const { return materials_; }
   const std::shared_ptr<Soil>& soil() const { return soil_; }
   const std::vector<Conserved>& conserved() const { return conserved_; }
@@ -102,7 +102,7 @@ class Model {
   std::vector<std::unique_ptr<Stage>> stages_;
   std::unique_ptr<LinearSolver> solver_;
   std::unique_ptr<StateStore> store_;
-  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<StepSystem> system_;
   StepTolerances tolerances_;
   NewtonOptions newton_;
   std::set<std::string> active_conditions_;  // of the stage before

@@ -40,8 +40,8 @@ StateTransfer transfer_from(Model& from, const Stage& stage, Model& to) {
   result.transfer = std::make_unique<const MeshTransfer>(*from.ale(), before, *to.ale(), state);
   receipt = to.ale()->transfer_from(*from.ale(), from.store(), *result.transfer, constraints, to.store());
   if (!receipt.moved) return result;
-  if (!to.stepper().refresh_history()) {
-    receipt.veto = "the state on the new mesh cannot be evaluated" + to.stepper().hints();
+  if (!to.system().refresh_history()) {
+    receipt.veto = "the state on the new mesh cannot be evaluated" + to.system().hints();
     receipt.moved = false;
     return result;
   }

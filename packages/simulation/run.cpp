@@ -159,7 +159,7 @@ bool Run::begin_stage(const Stage& stage) {
   model_->activate(stage, fresh);
   if (!fresh) {
     count_increment(0);
-    checkpoint_.restore_solver(model_->stepper());
+    checkpoint_.restore_solver(model_->system());
     report_ = report_of_contacts(*model_);
     tell(&Observer::begin_stage, true);
     return true;
@@ -171,10 +171,10 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.next_dt = stage.control.initial;
   count_increment(0);
   progress_.last_dt = 0;
-  model_->stepper().convergence().begin_stage();
-  if (!model_->stepper().refresh_history()) {
+  model_->system().convergence().begin_stage();
+  if (!model_->system().refresh_history()) {
     log::error("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
-               model_->stepper().hints());
+               model_->system().hints());
     return false;
   }
   const Stage* const before = progress_.stage > 0 ? model_->stages()[progress_.stage - 1].get() : nullptr;
@@ -198,7 +198,7 @@ bool Run::run_geostatic(const Stage& stage) {
   // would hide
   NewtonOptions newton = model_->newton();
   newton.least_iterations = stage.balance_tolerance > 0 ? 1 : 0;
-  const StepReport report = model_->stepper().attempt(now, model_->tolerances(), newton);
+  const StepReport report = Stepper(model_->system()).attempt(now, model_->tolerances(), newton);
   check_foreign_code();
   model_->store().committed().time = time;
   if (!report.converged) {
@@ -249,7 +249,7 @@ void Run::reset_displacements() {
 
 double Run::choose_dt(const Stage& stage) const {
   const double time = model_->store().committed().time, end = progress_.stage_start + stage.duration;
-  const double dt = model_->stepper().step_limit(std::min(progress_.next_dt, stage.control.maximum));
+  const double dt = model_->system().step_limit(std::min(progress_.next_dt, stage.control.maximum));
   const double left = end - time;
   if (dt > left * (1 - 1e-9)) return left;
   // two equal last steps instead of a full one and a sliver
@@ -258,18 +258,17 @@ double Run::choose_dt(const Stage& stage) const {
 
 LocalError Run::local_error(const Stage& stage) const {
   if (stage.control.error_tolerance <= 0) return {};
-  Stepper& stepper = model_->stepper();
+  StepSystem& system = model_->system();
   return TimeError(model_->space())
-      .measure(stepper.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
-               stepper.convergence().largest_norms(), stage.control.error_tolerance);
+      .measure(system.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
+               system.convergence().largest_norms(), stage.control.error_tolerance);
 }
 
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
   for (;;) {
     if (moves_mesh(stage)) model_->store().keep();
-    Stepper& stepper = model_->stepper();
     const OpenDescriptors before;
-    report = stepper.attempt(request(stage, dt), model_->tolerances(), model_->newton());
+    report = Stepper(model_->system()).attempt(request(stage, dt), model_->tolerances(), model_->newton());
     check_foreign_code(&before);
     double next = -1;
     if (report.converged) {
@@ -321,9 +320,9 @@ bool Run::moves_mesh(const Stage& stage) const { return model_->ale() && stage.m
 std::string Run::relocate_mesh() {
   StateStore& store = model_->store();
   const std::vector<double> conserved = balances_->conserved();
-  MeshReceipt receipt = model_->ale()->relocate(store, model_->stepper().constraints());
+  MeshReceipt receipt = model_->ale()->relocate(store, model_->system().constraints());
   if (!receipt.moved) return receipt.veto;
-  if (!model_->stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_->stepper().hints();
+  if (!model_->system().refresh_history()) return "the remapped state cannot be evaluated" + model_->system().hints();
   receipt.yield_drift = yield_drift(*model_->soil(), store.committed(), store.trial());
   store.take_evaluated();
   balances_->add_remap(receipt);

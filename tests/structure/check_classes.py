@@ -9,7 +9,7 @@ import re
 import sys
 
 # Classes that still stand in several sources.
-SEVERAL_SOURCES = {"Ale", "Run", "Stepper", "SurfaceMotion"}
+SEVERAL_SOURCES = {"Ale", "Run", "SurfaceMotion"}
 
 # Look-ups of a field by a literal name that are left in all packages. A field is known to the physics that declares it, to the soil and
 # to the context of a contact or of a condition: ask these. The number may fall.

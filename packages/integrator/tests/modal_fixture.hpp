@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra/mumps_solver.hpp"
+#include "integrator/consistent_rates.hpp"
 #include "integrator/stepper.hpp"
 #include "integrator/time_error.hpp"
 
@@ -107,7 +108,7 @@ inline GlobalMesh triangle() {
   return mesh;
 }
 
-/// One mode on each node of a triangle, solved by the actual stepper and linear solver.
+/// One mode on each node of a triangle, solved by the actual system of a step and linear solver.
 class ModalSystem {
  public:
   explicit ModalSystem(bool coupled, const Mode& what)
@@ -118,21 +119,21 @@ class ModalSystem {
         spring_(space_, mode),
         rest_(space_, mode) {
     if (!solver_.prepare(space_.dofs()).empty()) throw std::runtime_error("the solver refuses the modal system");
-    stepper_ = std::make_unique<Stepper>(space_, store_, std::vector<Term*>{&spring_, &rest_}, solver_,
-                                         [](const StepView&) { return BlockData(); });
+    system_ = std::make_unique<StepSystem>(space_, store_, std::vector<Term*>{&spring_, &rest_}, solver_,
+                                           [](const StepView&) { return BlockData(); });
   }
   /// Sets the initial values; accelerations and rates of p follow from the equations.
   void start(double u, double v, double p = 0) {
     State& state = store_.committed();
     state.time = 0;
     for (int i = 0; i < 3; ++i) set(i, u, v, 0, p, 0);
-    ASSERT_TRUE(stepper_->initialise_rates(request(1, TimeScheme()), 1e-10));
-    ASSERT_TRUE(stepper_->refresh_history());
+    ASSERT_TRUE(give_consistent_rates(*system_, request(1, TimeScheme()), 1e-10));
+    ASSERT_TRUE(system_->refresh_history());
   }
   void start_raw(double u, double v, double a) {
     store_.committed().time = 0;
     for (int i = 0; i < 3; ++i) set(i, u, v, a, 0, 0);
-    ASSERT_TRUE(stepper_->refresh_history());
+    ASSERT_TRUE(system_->refresh_history());
   }
   /// Options with the committed state as first guess, from which a linear problem takes one iteration at any step size.
   static NewtonOptions newton() {
@@ -141,7 +142,7 @@ class ModalSystem {
     return options;
   }
   void step(double dt, const TimeScheme& scheme) {
-    const StepReport report = stepper_->attempt(request(dt, scheme), StepTolerances(), newton());
+    const StepReport report = Stepper(*system_).attempt(request(dt, scheme), StepTolerances(), newton());
     ASSERT_TRUE(report.converged) << report.reason;
     ASSERT_LE(report.newton_iterations, 1) << "the problem is linear";
     store_.accept();
@@ -149,18 +150,18 @@ class ModalSystem {
   /// Does a step and returns its time errors of displacement and pressure over `tolerance`; norms over the three nodes.
   static constexpr double tolerance = 1e-12;
   std::array<LocalError, 2> measured_step(double dt, double dt_old, int index, const TimeScheme& scheme) {
-    const StepReport report = stepper_->attempt(request(dt, scheme), StepTolerances(), newton());
+    const StepReport report = Stepper(*system_).attempt(request(dt, scheme), StepTolerances(), newton());
     EXPECT_TRUE(report.converged) << report.reason;
     const TimeError error(space_);
-    const std::array<LocalError, 2> result{error.measure(stepper_->view(), scheme, dt_old, index, {1, 0}, tolerance),
-                                           error.measure(stepper_->view(), scheme, dt_old, index, {0, 1}, tolerance)};
+    const std::array<LocalError, 2> result{error.measure(system_->view(), scheme, dt_old, index, {1, 0}, tolerance),
+                                           error.measure(system_->view(), scheme, dt_old, index, {0, 1}, tolerance)};
     store_.accept();
     return result;
   }
   StateStore& store() { return store_; }
   /// A step that need not take any iteration.
   StepReport attempt(double dt, const TimeScheme& scheme, const NewtonOptions& options = newton()) {
-    return stepper_->attempt(request(dt, scheme), StepTolerances(), options);
+    return Stepper(*system_).attempt(request(dt, scheme), StepTolerances(), options);
   }
   int evaluations() const { return spring_.evaluations; }
   void run(double duration, int steps, const TimeScheme& scheme) {
@@ -198,7 +199,7 @@ class ModalSystem {
   Spring spring_;
   Rest rest_;
   MumpsSolver solver_;
-  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<StepSystem> system_;
 };
 
 }  // namespace mudline::testing

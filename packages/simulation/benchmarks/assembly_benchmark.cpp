@@ -26,7 +26,7 @@ constexpr const char* names[] = {"residual", "jacobian", "both"};
 void assemble(benchmark::State& state, const std::string& cell, bool clay, What what) {
   ModelFixture fixture(deck(cell, clay));
   Model& model = *fixture.model;
-  Stepper& stepper = model.stepper();
+  StepSystem& system = model.system();
   const Stage& stage = *model.stages().front();
   model.activate(stage, true);
   StepRequest request;
@@ -35,26 +35,26 @@ void assemble(benchmark::State& state, const std::string& cell, bool clay, What 
   request.prescribe = [&](double a, double b, const State& committed, Constraints& to) {
     model.prescribe(stage, a, b, committed, to);
   };
-  Vector x = stepper.begin(request, StepTolerances()), f(stepper.map());
+  Vector x = system.begin(request, StepTolerances()), f(system.map());
   {
     // strain increments of about 1e-3: most clay points yield
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(-1, 1);
     auto data = x.getLocalViewHost(Tpetra::Access::ReadWrite);
     for (int i = 0; i < model.space().dofs()->num_owned_dofs(); ++i)
-      if (!stepper.constraints().mask(i))
+      if (!system.constraints().mask(i))
         data(i, 0) += uniform(random) * (model.space().dofs()->field_of(i) == 0 ? 2e-5 : 100.0);
   }
-  if (!stepper.residual(x, f)) state.SkipWithError("the residual failed");
-  // two states in turn, because the stepper keeps its results for the last one
+  if (!system.residual(x, f)) state.SkipWithError("the residual failed");
+  // two states in turn, because the system keeps its results for the last one
   Vector places[2] = {Vector(x, Teuchos::Copy), Vector(x, Teuchos::Copy)};
   places[1].scale(1 + 1e-12);
   int turn = 0;
-  if (what == What::residual) stepper.observe(0.5);  // as converged, so that nothing is prepared for a matrix
+  if (what == What::residual) system.observe(0.5);  // as converged, so that nothing is prepared for a matrix
   for (auto _ : state) {
     turn = 1 - turn;
-    if (what != What::jacobian) stepper.residual(places[turn], f);
-    if (what != What::residual) stepper.jacobian(places[turn]);
+    if (what != What::jacobian) system.residual(places[turn], f);
+    if (what != What::residual) system.jacobian(places[turn]);
   }
   state.counters["us per element"] =
       benchmark::Counter(static_cast<double>(model.mesh().num_global_elements()) * 1e-6,

@@ -49,7 +49,7 @@ class Block {
                                   list("boundary conditions", conditions) + list("stages", list("only", steps()))),
                  more) {
     model().activate(stage(), true);
-    model().stepper().refresh_history();
+    model().system().refresh_history();
   }
   Model& model() { return *fixture_.model; }
   const Stage& stage() { return *model().stages().front(); }
@@ -63,7 +63,7 @@ class Block {
     // with a new Jacobian in each iteration the last one goes far below the tolerance, and tests can be strict
     NewtonOptions tangents;
     tangents.reuse_jacobian = false;
-    return model().stepper().attempt(request(dt), tolerances, tangents);
+    return Stepper(model().system()).attempt(request(dt), tolerances, tangents);
   }
   /// Effective stress xx yy zz yz xz xy and void ratio at the points.
   PointView stress(const State& state) { return state.arrays[model().soil()->blocks.front().stress]; }

@@ -55,13 +55,13 @@ void check(const Case& c) {
   SCOPED_TRACE(c.geometry + ", " + c.stage);
   ModelFixture fixture(deck(c));
   Model& model = *fixture.model;
-  Stepper& stepper = model.stepper();
+  StepSystem& system = model.system();
   const DofMap& dofs = *model.space().dofs();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const Stage& stage = *model.stages().front();
   model.activate(stage, true);
-  ASSERT_TRUE(stepper.refresh_history());
+  ASSERT_TRUE(system.refresh_history());
   StepRequest request;
   request.dt = 0.01;
   request.scheme = stage.scheme(0);
@@ -70,36 +70,36 @@ void check(const Case& c) {
   };
   const BodyUnknowns& unknowns = model.bodies().at("b")->unknowns();
   // a first step leaves shear stresses and velocities behind
-  Vector x = stepper.begin(request, StepTolerances()), f(stepper.map());
+  Vector x = system.begin(request, StepTolerances()), f(system.map());
   const auto perturb = [&](double down) {
     auto data = x.getLocalViewHost(Tpetra::Access::ReadWrite);
     const double size[] = {0.003, 1e3, 0.005};
     for (int i = 0; i < dofs.num_owned_dofs(); ++i)
-      if (!stepper.constraints().mask(i)) data(i, 0) += uniform(random) * size[dofs.field_of(i)];
+      if (!system.constraints().mask(i)) data(i, 0) += uniform(random) * size[dofs.field_of(i)];
     data(unknowns.dof[unknowns.count == 1 ? 0 : 1], 0) += down;
   };
   perturb(-0.01);
-  ASSERT_TRUE(stepper.residual(x, f));
+  ASSERT_TRUE(system.residual(x, f));
   model.store().accept();
-  x = stepper.begin(request, StepTolerances());
+  x = system.begin(request, StepTolerances());
   perturb(0.015);  // some points leave, and others come to touch through the waves of the surface
-  ASSERT_TRUE(stepper.residual(x, f));
-  stepper.jacobian(x);
+  ASSERT_TRUE(system.residual(x, f));
+  system.jacobian(x);
   const double scale[] = {0.01, 1e4, 0.01};
   for (int moved = 0; moved < dofs.num_fields(); ++moved) {
     const double h = moved == 1 ? 1e-3 : 1e-5;  // little of the body's force comes from pressures: against rounding
-    Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy), above(stepper.map()),
-        below(stepper.map()), jv(stepper.map());
+    Vector v(system.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy), above(system.map()), below(system.map()),
+        jv(system.map());
     {
       auto data = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (int i = 0; i < dofs.num_owned_dofs(); ++i)
-        data(i, 0) = stepper.constraints().mask(i) || dofs.field_of(i) != moved ? 0.0 : uniform(random) * scale[moved];
+        data(i, 0) = system.constraints().mask(i) || dofs.field_of(i) != moved ? 0.0 : uniform(random) * scale[moved];
     }
-    stepper.apply_jacobian(v, jv);
+    system.apply_jacobian(v, jv);
     plus.update(h, v, 1.0);
     minus.update(-h, v, 1.0);
-    ASSERT_TRUE(stepper.residual(plus, above));
-    ASSERT_TRUE(stepper.residual(minus, below));
+    ASSERT_TRUE(system.residual(plus, above));
+    ASSERT_TRUE(system.residual(minus, below));
     const std::vector<double> residual = owned_field_norms(dofs, below);
     above.update(-0.5 / h, below, 0.5 / h);
     const auto exact = above.getLocalViewHost(Tpetra::Access::ReadOnly),

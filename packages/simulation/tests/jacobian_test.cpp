@@ -79,31 +79,31 @@ constexpr double changes[3] = {0.01, 1e4, 10};  // of displacement [m], pore pre
 
 /// Relative difference between J v and (F(x + h v) - F(x - h v)) / 2h, worst over the fields.
 double jacobian_error(Model& model, const Vector& x, std::mt19937& random) {
-  Stepper& stepper = model.stepper();
+  StepSystem& system = model.system();
   const DofMap& dofs = *model.space().dofs();
   std::uniform_real_distribution<double> uniform(-1, 1);
-  Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy);
+  Vector v(system.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy);
   {
     auto data = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int i = 0; i < dofs.num_owned_dofs(); ++i)
-      data(i, 0) = stepper.constraints().mask(i) ? 0.0 : uniform(random) * changes[dofs.field_of(i)];
+      data(i, 0) = system.constraints().mask(i) ? 0.0 : uniform(random) * changes[dofs.field_of(i)];
   }
-  Vector f(stepper.map()), above(stepper.map()), below(stepper.map()), jv(stepper.map());
-  EXPECT_TRUE(stepper.residual(x, f));
-  stepper.jacobian(x);
-  stepper.apply_jacobian(v, jv);
+  Vector f(system.map()), above(system.map()), below(system.map()), jv(system.map());
+  EXPECT_TRUE(system.residual(x, f));
+  system.jacobian(x);
+  system.apply_jacobian(v, jv);
   const double h = 1e-5;
   plus.update(h, v, 1.0);
   minus.update(-h, v, 1.0);
-  EXPECT_TRUE(stepper.residual(plus, above));
+  EXPECT_TRUE(system.residual(plus, above));
   // the data that the residual kept for the matrix at x equal those that the matrix computes itself after a residual at
   // another place
-  Vector anew(stepper.map());
-  stepper.jacobian(x);
-  stepper.apply_jacobian(v, anew);
+  Vector anew(system.map());
+  system.jacobian(x);
+  system.apply_jacobian(v, anew);
   anew.update(-1, jv, 1);
   EXPECT_EQ(anew.normInf(), 0);
-  EXPECT_TRUE(stepper.residual(minus, below));
+  EXPECT_TRUE(system.residual(minus, below));
   above.update(-0.5 / h, below, 0.5 / h);
   double worst = 0;
   const auto exact = above.getLocalViewHost(Tpetra::Access::ReadOnly);
@@ -111,7 +111,7 @@ double jacobian_error(Model& model, const Vector& x, std::mt19937& random) {
   for (int field = 0; field < dofs.num_fields(); ++field) {
     double difference = 0, size = 0;
     for (int i = dofs.owned_begin(field); i < dofs.owned_end(field); ++i) {
-      if (stepper.constraints().mask(i)) continue;
+      if (system.constraints().mask(i)) continue;
       difference = std::max(difference, std::abs(exact(i, 0) - mine(i, 0)));
       size = std::max(size, std::abs(exact(i, 0)));
     }
@@ -124,7 +124,7 @@ void check(const Case& c) {
   SCOPED_TRACE(c.cell + ", " + c.geometry + ", " + c.integrator);
   ModelFixture fixture(deck(c));
   Model& model = *fixture.model;
-  Stepper& stepper = model.stepper();
+  StepSystem& system = model.system();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   State& state = model.store().committed();
@@ -142,16 +142,16 @@ void check(const Case& c) {
   request.prescribe = [&](double t0, double t1, const State& committed, Constraints& to) {
     model.prescribe(stage, t0, t1, committed, to);
   };
-  std::vector<Term*> all = stepper.active();
+  std::vector<Term*> all = system.active();
   std::vector<std::vector<Term*>> groups{all};
   for (Term* term : all) groups.push_back({term});
   for (const auto& group : groups) {
-    stepper.activate(group);
-    Vector x = stepper.begin(request, StepTolerances());
+    system.activate(group);
+    Vector x = system.begin(request, StepTolerances());
     {
       auto data = x.getLocalViewHost(Tpetra::Access::ReadWrite);
       for (int i = 0; i < model.space().dofs()->num_owned_dofs(); ++i)
-        if (!stepper.constraints().mask(i))
+        if (!system.constraints().mask(i))
           data(i, 0) += 0.4 * uniform(random) * changes[model.space().dofs()->field_of(i)];
     }
     EXPECT_LT(jacobian_error(model, x, random), c.tolerance) << (group.size() == 1 ? group[0]->name() : "all terms");

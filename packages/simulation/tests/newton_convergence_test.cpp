@@ -20,10 +20,10 @@ std::vector<double> history(const std::string& cell, const std::string& geometry
       list("follow", text("type", "pressure") + text("set", "right") + number("value", 4e5)) +
       list("shear", text("type", "traction") + text("set", "top") + number("x", 5e5) + number("y", -8e5));
   Block block(cell, geometry, elastic_skeleton(), conditions);
-  Vector x = block.model().stepper().begin(block.request(1.0), {tolerance, 1e-12, 1e-13});
+  Vector x = block.model().system().begin(block.request(1.0), {tolerance, 1e-12, 1e-13});
   NewtonOptions options;
   options.maximum_iterations = 12;
-  const NewtonReport report = newton_solve(block.model().stepper(), options, x);
+  const NewtonReport report = newton_solve(block.model().system(), options, x);
   std::vector<double> worst;
   for (const auto& fields : report.history)
     worst.push_back(tolerance * *std::max_element(fields.begin(), fields.end()));

@@ -48,7 +48,7 @@ void turn(Block& block, int steps) {
   Model& model = block.model();
   const auto& initial = model.mesh().coordinates();
   for (int n = 1; n <= steps; ++n) {
-    Vector x = model.stepper().begin(block.request(90.0 / steps), StepTolerances()), f(model.stepper().map());
+    Vector x = model.system().begin(block.request(90.0 / steps), StepTolerances()), f(model.system().map());
     const double angle = 0.5 * pi * n / steps;
     {
       auto data = x.getLocalViewHost(Tpetra::Access::ReadWrite);
@@ -59,10 +59,10 @@ void turn(Block& block, int steps) {
         data(dof + 1, 0) = X * std::sin(angle) + Y * std::cos(angle) - Y;
       }
     }
-    // from the Jacobian the stepper estimates how far the rounding of x affects the residual
-    ASSERT_TRUE(model.stepper().jacobian(x));
-    ASSERT_TRUE(model.stepper().residual(x, f));
-    for (const double ratio : model.stepper().residual_ratios(f)) EXPECT_LT(ratio, 1);
+    // from the Jacobian the system estimates how far the rounding of x affects the residual
+    ASSERT_TRUE(model.system().jacobian(x));
+    ASSERT_TRUE(model.system().residual(x, f));
+    for (const double ratio : model.system().residual_ratios(f)) EXPECT_LT(ratio, 1);
     model.store().accept();
     expect_turned(block, model.store().committed(), angle);
   }

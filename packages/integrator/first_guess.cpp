@@ -1,0 +1,121 @@
+#include "integrator/first_guess.hpp"
+
+#include <algorithm>
+
+#include "algebra/ordered_sum.hpp"
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Adds time times rate to the unknowns [begin, end) of x that are not prescribed.
+void move_on(const Constraints& constraints, const NodalView& rates, double time, int begin, int end, Vector& x) {
+  const auto data = entries(x, Tpetra::Access::ReadWrite);
+  const Kokkos::View<char*> prescribed = constraints.mask;
+  const NodalView rate = rates;
+  Kokkos::parallel_for(
+      "first guess", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) {
+        if (!prescribed(i)) data(i) += time * rate(i);
+      });
+}
+
+/// Sums of squares of the change of forces and of the forces before it.
+struct SquaresOfChange {
+  NodalView now, old;
+  KOKKOS_FUNCTION void operator()(int i, double (&sums)[2]) const {
+    sums[0] += (now(i) - old(i)) * (now(i) - old(i));
+    sums[1] += old(i) * old(i);
+  }
+};
+
+}  // namespace
+
+Vector extrapolated(const StepSystem& system, const Vector& x) {
+  Vector result(x, Teuchos::Copy);
+  const Space& space = system.space();
+  const DofMap& dofs = *space.dofs();
+  for (int f = 0; f < space.num_fields(); ++f)
+    if (space.field(f).time_order > 0)
+      move_on(system.constraints(), system.store().committed().rate, system.view().dt, dofs.owned_begin(f),
+              dofs.owned_end(f), result);
+  return result;
+}
+
+double largest_ratio(const std::vector<double>& norms, const std::vector<double>& scales,
+                     const std::vector<double>& other_scales) {
+  double largest = 0;
+  for (std::size_t f = 0; f < norms.size(); ++f)
+    largest = std::max(largest, norms[f] / std::max({scales[f], other_scales[f], 1e-300}));
+  return largest;
+}
+
+bool FirstGuess::improve(Vector& x, bool extrapolates) { return !(extrapolates && extrapolate(x)) && predict(x); }
+
+bool FirstGuess::extrapolate(Vector& x) {
+  if (!system_.scheme().flow) return false;  // geostatic: no time passes
+  const Vector guess = extrapolated(system_, x);
+  Vector change(guess, Teuchos::Copy), f(system_.map());
+  change.update(-1, x, 1);
+  if (change.norm2() == 0) return false;
+  // A body that stops or presses against something stiff is further from the solution after a step at its old rate.
+  const DofMap& dofs = *system_.space().dofs();
+  const bool here = system_.evaluate(x, false, f);
+  const std::vector<double> resting = owned_field_norms(dofs, f), acting = system_.convergence().acting();
+  if (!system_.residual(guess, f)) return false;
+  const std::vector<double> moving = owned_field_norms(dofs, f), &now_acting = system_.convergence().acting();
+  if (here && largest_ratio(moving, acting, now_acting) > largest_ratio(resting, acting, now_acting)) return false;
+  Tpetra::deep_copy(x, guess);
+  return true;
+}
+
+bool FirstGuess::predict(Vector& x) {
+  const std::vector<Unilateral*>& unilateral = system_.unilateral();
+  const bool asked = std::any_of(unilateral.begin(), unilateral.end(),
+                                 [](const Unilateral* term) { return term->asks_for_prediction(); });
+  for (Unilateral* term : unilateral) term->predicting(asked);
+  const bool predicted = predict_linear(x, asked);
+  for (Unilateral* term : unilateral) term->predicting(false);
+  if (!asked) return predicted;
+  // neither state nor Jacobian of the linearised prediction may enter the iteration
+  system_.forget_evaluation();
+  system_.forget_jacobian();
+  return predicted;
+}
+
+bool FirstGuess::rests() const {
+  const State &trial = system_.store().trial(), &committed = system_.store().committed();
+  double sums[2] = {0, 0};  // squares of F at rest minus F_n, and of F_n, on this rank
+  for (int k = 0; k < static_cast<int>(system_.active().size()); ++k) {
+    const int slot = system_.history_slot(k);
+    if (slot < 0 || !face<History>(*system_.active()[k])->may_relax()) continue;
+    const NodalView now = trial.history_forces[slot], old = committed.history_forces[slot];
+    const auto here = ordered_sum<2>("rests", 0, static_cast<int>(old.extent(0)), SquaresOfChange{now, old});
+    for (int n = 0; n < 2; ++n) sums[n] += here[n];
+  }
+  const auto total = sum_over_ranks(*system_.space().dofs()->comm(), std::vector<double>(sums, sums + 2));
+  return total[0] <= 1e-6 * total[1];
+}
+
+bool FirstGuess::predict_linear(Vector& x, bool always) {
+  const Vector old = owned_part(*system_.space().dofs(), system_.store().committed().value);
+  Vector moved(system_.map());
+  moved.update(1, x, -1, old, 0);
+  const bool moves = moved.norm2() > 0;
+  if (!moves && !always) return false;
+  // The columns of prescribed unknowns are not in the matrix: their product with the change is differenced. The
+  // fraction is small enough for the elements next to the moving nodes, large enough against rounding.
+  constexpr double fraction = 1e-3;
+  Vector f(system_.map()), shifted(system_.map()), part(old, Teuchos::Copy), correction(system_.map());
+  part.update(fraction, moved, 1);
+  if (moves && !system_.evaluate(part, false, shifted)) return false;
+  if (!system_.residual(old, f) || !rests()) return false;
+  system_.forget_jacobian();  // the rate of convergence of an old Jacobian is not known here
+  if (!system_.jacobian(old)) return false;
+  if (moves) f.update(1 / fraction, shifted, 1 - 1 / fraction);
+  if (!system_.solve(f, correction)) return false;
+  x.update(-1, correction, 1);
+  return true;
+}
+
+}  // namespace mudline

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "integrator/step_system.hpp"
+
+namespace mudline {
+
+/// The unknowns after the system's step at the committed rates, from x; prescribed unknowns stay as in x.
+Vector extrapolated(const StepSystem& system, const Vector& x);
+
+/// The largest norm of a field's residual, over the larger of two sizes of what acts on the field.
+double largest_ratio(const std::vector<double>& norms, const std::vector<double>& scales,
+                     const std::vector<double>& other_scales);
+
+/// The unknowns from which Newton's method starts a step.
+class FirstGuess {
+ public:
+  /// `system` must outlive it.
+  explicit FirstGuess(StepSystem& system) : system_(system) {}
+  /// Improves `x`, which StepSystem::begin() gave: by the committed rates if `extrapolates`, or else by a linear
+  /// prediction. Returns whether it solved a linear system. Collective.
+  bool improve(Vector& x, bool extrapolates);
+
+ private:
+  /// Extrapolates the guess with the committed rates. Returns false, with x unchanged, where nothing moves, where the
+  /// terms cannot be evaluated there, or where the imbalance is larger.
+  bool extrapolate(Vector& x);
+  /// Linear prediction: where prescribed unknowns move or a term asks for it, replaces the guess `x` by the linear
+  /// response of the committed state. Otherwise all other unknowns would stay behind, and a large motion would fold or
+  /// yield the elements in between. Returns false where it leaves x unchanged.
+  bool predict(Vector& x);
+  bool predict_linear(Vector& x, bool always);
+  /// Whether the forces of the committed state at rest (the last evaluation) equal its stored F_n. Soil whose strength
+  /// depends on the strain rate relaxes at rest; its response there does not apply to a motion.
+  bool rests() const;
+
+  StepSystem& system_;
+};
+
+}  // namespace mudline
