@@ -109,7 +109,7 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
   read_tests(*d);
   if (want_tests && d->tests.empty()) d->root->section("tests").fail("no test is given; see `mudline list test`");
   std::vector<std::string> idle;
-  const std::vector<std::string> read{"functions", "materials", "tests", "output", "plugins"};
+  const std::vector<std::string> read{"variables", "functions", "materials", "tests", "output", "plugins"};
   for (const std::string& name : d->root->section_names()) {
     const std::vector<std::string> unused = d->root->section(name).unused();
     if (std::find(read.begin(), read.end(), name) == read.end())

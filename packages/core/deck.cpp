@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "core/function_types.hpp"
 #include "core/text.hpp"
+#include "core/variables.hpp"
 
 namespace mudline {
 
@@ -51,18 +52,21 @@ std::vector<std::string> split_path(const std::string& path) {
 /// expression may replace the number of a function).
 Teuchos::ParameterEntry replacement(const Teuchos::ParameterList& list, const std::string& name,
                                     const std::string& text) {
-  if (list.isParameter(name)) {
-    try {
-      return make_entry(entry_type(list.getEntry(name)), text);
-    } catch (const InputError&) {
-      return infer_entry(text);
-    }
+  const std::string type = list.isParameter(name) ? entry_type(list.getEntry(name)) : "";
+  Teuchos::ParameterEntry entry = infer_entry(text);
+  try {
+    if (!type.empty()) entry = make_entry_or_formula(type, text);
+  } catch (const InputError&) {
   }
-  return infer_entry(text);
+  const bool formula =
+      entry.isType<Formula>() || (type.empty() && text.find('{') != std::string::npos &&
+                                  (entry.isType<std::string>() || entry_type(entry) == "Array(string)"));
+  if (type.empty() && entry.isType<std::string>() && parse_quantity(text))
+    return Teuchos::ParameterEntry(Formula{"double", text});
+  return formula ? Teuchos::ParameterEntry(Formula{type, text, true}) : entry;
 }
 
 void refuse_non_finite(const Teuchos::ParameterEntry& entry, const std::string& position, const std::string& path) {
-  if (!entry.isType<std::string>()) return;
   const auto number = parse_number(entry_text(entry));
   if (number && !std::isfinite(*number))
     throw InputError(position + ": " + path + ": expected a finite number, given '" + entry_text(entry) + "'");
@@ -143,15 +147,19 @@ void Deck::set(const std::string& assignment) {
 
 Section Deck::root() {
   refuse_misspelt_settings(*list_, *sources_, "");
+  const Variables variables(*list_, *sources_);
+  auto quantities = std::make_shared<ValuesWithUnits>();
+  variables.replace_formulas(*list_, *sources_, *quantities);
+  variables.refuse_unused(*list_, *sources_);
   Registry<FunctionDefinition> types("function");
   register_functions(types);
   const Teuchos::ParameterEntry* geometry =
       list_->isSublist("mesh") ? list_->sublist("mesh").getEntryPtr("geometry") : nullptr;
   const bool space = geometry != nullptr && geometry->isType<std::string>() &&
                      Teuchos::any_cast<std::string>(geometry->getAny(false)) == geometry_in_space;
-  const Section bare(*list_, sources_, std::make_shared<FunctionLibrary>(space ? 3 : 2), folder_);
+  const Section bare(*list_, sources_, std::make_shared<FunctionLibrary>(space ? 3 : 2), folder_, quantities);
   auto functions = std::make_shared<FunctionLibrary>(read_functions(bare.section("functions"), types));
-  return Section(*list_, sources_, functions, folder_);
+  return Section(*list_, sources_, functions, folder_, quantities);
 }
 
 std::string Deck::to_xml() const { return write_xml(*list_); }

@@ -24,8 +24,9 @@ class Deck {
   /// InputError "--set <assignment>: ..." when malformed or when it would replace a section.
   void set(const std::string& assignment);
 
-  /// Reads the section "functions" (tables, expressions, constants) and returns the root section. Throws InputError for
-  /// errors in the functions, and for a section that only set() made and that looks like a misspelling.
+  /// Replaces what is written with variables, reads the section "functions" (tables, expressions, constants) and
+  /// returns the root section. Throws InputError for errors in them, and for a section that only set() made and that
+  /// looks like a misspelling.
   Section root();
 
   const Teuchos::ParameterList& list() const { return *list_; }

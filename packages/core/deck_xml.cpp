@@ -175,7 +175,7 @@ class Reader {
     const std::string value = attribute_text(element.Attribute("value"));
     check_text(element, full, "value", value);
     try {
-      list.setEntry(name, make_entry(attribute_text(element.Attribute("type")), value));
+      list.setEntry(name, make_entry_or_formula(attribute_text(element.Attribute("type")), value));
     } catch (const InputError& error) {
       fail(element, full, error.what());
     }

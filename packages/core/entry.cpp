@@ -17,6 +17,10 @@ const T& value_of(const Teuchos::ParameterEntry& entry) {
   return Teuchos::any_cast<T>(entry.getAny(false));  // false: reading it here does not mark it as used
 }
 
+bool known(const std::string& type) {
+  return std::find(entry_types().begin(), entry_types().end(), type) != entry_types().end();
+}
+
 double to_number(const std::string& text, const std::string& expected) {
   const auto number = parse_number(text);
   if (!number) throw InputError("expected " + expected + ", given '" + text + "'");
@@ -47,7 +51,10 @@ const std::vector<std::string>& entry_types() {
   return types;
 }
 
+std::ostream& operator<<(std::ostream& out, const Formula& formula) { return out << formula.text; }
+
 std::string entry_type(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<Formula>()) return value_of<Formula>(entry).type;
   if (entry.isType<double>()) return "double";
   if (entry.isType<int>()) return "int";
   if (entry.isType<bool>()) return "bool";
@@ -64,6 +71,7 @@ std::string value_text(bool value) { return value ? "true" : "false"; }
 std::string value_text(const std::string& value) { return value; }
 
 std::string entry_text(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<Formula>()) return value_of<Formula>(entry).text;
   if (entry.isType<double>()) return value_text(value_of<double>(entry));
   if (entry.isType<int>()) return value_text(value_of<int>(entry));
   if (entry.isType<bool>()) return value_text(value_of<bool>(entry));
@@ -121,6 +129,20 @@ Teuchos::ParameterEntry make_entry(const std::string& type, const std::string& t
     return Teuchos::ParameterEntry(Teuchos::Array<std::string>(*items));
   }
   throw InputError("unknown parameter type '" + type + "'" + suggestion(type, entry_types()));
+}
+
+Teuchos::ParameterEntry make_entry_or_formula(const std::string& type, const std::string& text) {
+  const bool array = type.rfind("Array(", 0) == 0;
+  const std::size_t outer = array ? text.find('{') : std::string::npos;
+  const bool braces = text.find('{', outer == std::string::npos ? 0 : outer + 1) != std::string::npos;
+  const bool holds_text = type == "string" || type == "Array(string)";
+  if (braces && (holds_text || type == "bool")) return Teuchos::ParameterEntry(Formula{type, text});
+  try {
+    return make_entry(type, text);
+  } catch (const InputError&) {
+    if (holds_text || type == "bool" || !known(type)) throw;
+    return Teuchos::ParameterEntry(Formula{type, text});
+  }
 }
 
 Teuchos::ParameterEntry infer_entry(const std::string& text) {

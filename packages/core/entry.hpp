@@ -3,6 +3,7 @@
 #include <Teuchos_ParameterEntry.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,15 @@ namespace mudline {
 
 /// The types a <Parameter> may declare: double, int, bool, string, Array(double), Array(int), Array(string).
 const std::vector<std::string>& entry_types();
+
+/// A value that is written with variables of the deck, such as "{D}/2", until Variables replaces it.
+struct Formula {
+  std::string type;         // one of entry_types(); "": that which its value fits
+  std::string text;         // as it was written
+  bool may_differ = false;  // its value may be of another type
+  bool operator==(const Formula& other) const { return type == other.type && text == other.text; }
+};
+std::ostream& operator<<(std::ostream& out, const Formula& formula);
 
 /// One of entry_types(), or the C++ type's name for anything set from code.
 std::string entry_type(const Teuchos::ParameterEntry& entry);
@@ -44,6 +54,9 @@ bool mentions(const Teuchos::ParameterList& list, const std::string& word);
 /// The value that `text` stands for; `type` is one of entry_types().
 /// Throws InputError without position ("expected a number (double), given 'abc'"); nan and inf are refused.
 Teuchos::ParameterEntry make_entry(const std::string& type, const std::string& text);
+
+/// The same, or a Formula where `text` may be one: a text with braces, or a number that is given by names.
+Teuchos::ParameterEntry make_entry_or_formula(const std::string& type, const std::string& text);
 
 /// The narrowest of bool, int, double, array and string that `text` fits.
 Teuchos::ParameterEntry infer_entry(const std::string& text);

@@ -6,12 +6,14 @@
 #include <cctype>
 #include <cmath>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "core/errors.hpp"
 #include "core/pi.hpp"
 #include "core/text.hpp"
+#include "core/unit.hpp"
 
 namespace mudline {
 
@@ -19,22 +21,23 @@ namespace {
 
 class Expression : public FunctionBase {
  public:
-  Expression(const std::string& text, int dimension) : dimension_(dimension) {
-    refuse_assignment(text);
+  Expression(const std::string& text, int dimension) {
     parser_.DefineVar("t", &time_);
     parser_.DefineVar("x", &point_[0]);
     parser_.DefineVar("y", &point_[1]);
     parser_.DefineVar("z", &point_[dimension - 1]);
     if (dimension == 2) parser_.DefineVar("r", &point_[0]);
-    parser_.DefineConst("pi", pi);
-    parser_.SetExpr(text);
-    try {
-      parser_.Eval();  // muParser reports most mistakes only here
-      used_ = parser_.GetUsedVar();
-    } catch (const mu::ParserError& error) {
-      throw InputError(reason(error));
+    names_ = dimension == 3 ? "variables: t, x, y, z" : "variables: t, x, y (axisymmetric: t, r, z)";
+    names_ += "; those of the deck stand in braces, {D}";
+    read(text);
+  }
+  Expression(const std::string& text, const std::map<std::string, double>& constants) {
+    for (const auto& [name, value] : constants) {
+      parser_.DefineConst(name, value);
+      words_.push_back(name);
     }
-    if (parser_.GetNumResults() != 1) throw InputError("it gives several values separated by ','");
+    names_ = "variables: " + join(words_);
+    read(text);
   }
 
   double value(double time, const Point& x) const override {
@@ -49,6 +52,19 @@ class Expression : public FunctionBase {
   bool has_variables() const { return !used_.empty(); }
 
  private:
+  void read(const std::string& text) {
+    refuse_assignment(text);
+    parser_.DefineConst("pi", pi);
+    parser_.SetExpr(text);
+    try {
+      parser_.Eval();  // muParser reports most mistakes only here
+      used_ = parser_.GetUsedVar();
+    } catch (const mu::ParserError& error) {
+      throw InputError(reason(error));
+    }
+    if (parser_.GetNumResults() != 1) throw InputError("it gives several values separated by ','");
+  }
+
   /// Refuses assignments: muParser would overwrite x at "x = 3".
   static void refuse_assignment(const std::string& text) {
     for (std::size_t i = text.find('='); i != std::string::npos; i = text.find('=', i + 1)) {
@@ -69,9 +85,7 @@ class Expression : public FunctionBase {
     const std::string word = misspelt_word(error);
     if (word.empty()) return message;
     const std::string near = nearest(word, known_words());
-    return message + (!near.empty()     ? " (did you mean '" + near + "'?)"
-                      : dimension_ == 3 ? "; variables: t, x, y, z"
-                                        : "; variables: t, x, y (axisymmetric: t, r, z)");
+    return message + (near.empty() ? "; " + names_ : " (did you mean '" + near + "'?)");
   }
 
   /// The token that muParser rejects may run on ("sinn(t)"): only its leading word can be a misspelt name.
@@ -83,12 +97,14 @@ class Expression : public FunctionBase {
   }
 
   std::vector<std::string> known_words() const {
-    std::vector<std::string> words{"pi"};
+    std::vector<std::string> words = words_;
+    words.push_back("pi");
     for (const auto& function : parser_.GetFunDef()) words.push_back(function.first);
     return words;
   }
 
-  int dimension_;
+  std::vector<std::string> words_;  // names of constants
+  std::string names_;               // tells those that there are
   mutable mu::Parser parser_;
   mutable std::mutex mutex_;
   mutable double time_ = 0.0;
@@ -152,6 +168,7 @@ Function FunctionLibrary::resolve(const std::string& text) const {
     if (!std::isfinite(*number)) throw InputError("expected a finite number, given '" + word + "'");
     return Function(*number, word);
   }
+  if (const auto quantity = parse_quantity(word)) return Function(quantity->plain(), word);
   const auto named = functions_.find(word);
   if (named != functions_.end()) return named->second;
   try {
@@ -176,6 +193,22 @@ Function make_expression(const std::string& text, int dimension) {
   } catch (const InputError& error) {
     throw InputError("invalid expression '" + expression + "': " + error.what());
   }
+}
+
+double constant_value(const std::string& expression, const std::map<std::string, double>& constants) {
+  const double value = Expression(expression, constants).value(0.0, {});
+  if (!std::isfinite(value)) throw InputError("the value of '" + expression + "' is not finite");
+  return value;
+}
+
+bool is_coordinate(const std::string& name) {
+  const std::set<std::string> names{"t", "x", "y", "z", "r"};
+  return names.count(name) > 0;
+}
+
+bool means_something(const std::string& name) {
+  const mu::Parser parser;
+  return is_coordinate(name) || name == "pi" || parser.GetFunDef().count(name) + parser.GetConst().count(name) > 0;
 }
 
 Function make_table(const std::vector<double>& times, const std::vector<double>& values, Interpolation kind) {

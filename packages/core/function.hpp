@@ -57,8 +57,8 @@ class FunctionLibrary {
   std::vector<std::string> names() const;
   bool contains(const std::string& name) const { return functions_.count(name) != 0; }
 
-  /// A number ("3.5"), a function's name, or an expression ("10*sin(5*t)").
-  /// Throws InputError without position (the caller adds path and line) with the parser's reason.
+  /// A number ("3.5"), a quantity ("3 kPa", as ValueWithUnit::plain()), a function's name, or an expression
+  /// ("10*sin(5*t)"). Throws InputError without position (the caller adds path and line) with the parser's reason.
   Function resolve(const std::string& text) const;
 
  private:
@@ -71,6 +71,15 @@ class FunctionLibrary {
 /// axisymmetric decks (r, z); in space x, y and z. An expression without variables becomes a constant. May be evaluated
 /// from several threads, one at a time. Throws InputError without position, naming the offending part.
 Function make_expression(const std::string& text, int dimension = 2);
+
+/// The value of an expression of constants, by name, in the same syntax, without t and position. Throws InputError
+/// without position.
+double constant_value(const std::string& expression, const std::map<std::string, double>& constants);
+
+/// Whether the name is that of time or of a coordinate: t, x, y, z, r.
+bool is_coordinate(const std::string& name);
+/// Whether a name has a meaning in expressions already: a coordinate, pi, sin, ...
+bool means_something(const std::string& name);
 
 enum class Interpolation { linear, smooth };
 

@@ -41,7 +41,8 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& range, double& m
   } else if (entry.isType<double>()) {
     member = used_value<double>(entry);
   } else {
-    mismatch("a number (double)", entry);
+    const std::string unknown = entry.isType<std::string>() ? unknown_unit(entry_text(entry)) : "";
+    throw Fault("expected a number (double), given " + describe_entry(entry) + unknown);
   }
   check_range(member, number_text(member), range);
 }
@@ -93,13 +94,28 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& range, Vec<doubl
 }
 
 /// Unlike other conversions, this one needs the deck's library, for names of functions and for expressions.
-Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibrary& library) {
-  if (entry.isType<std::string>()) return library.resolve(used_value<std::string>(entry));
+Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibrary& library, const std::string& unit) {
+  if (entry.isType<std::string>()) {
+    const auto& text = used_value<std::string>(entry);
+    const auto quantity = parse_quantity(text);
+    return quantity ? Function(number_in(unit, *quantity)) : library.resolve(text);
+  }
   if (!entry.isType<double>() && !entry.isType<int>())
     mismatch("a number, an expression or the name of a function", entry);
   double constant = 0.0;
   convert(entry, any(), constant);
   return Function(constant);
+}
+
+/// A value that is given with units, in the unit that is declared.
+Teuchos::ParameterEntry in_unit(const std::string& unit, const Teuchos::ParameterEntry& entry,
+                                const std::vector<std::optional<ValueWithUnit>>& quantities) {
+  entry.getAny();  // now it counts as read
+  if (entry.isType<double>()) return Teuchos::ParameterEntry(number_in(unit, *quantities.front()));
+  auto numbers = used_value<Teuchos::Array<double>>(entry);
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    if (quantities[i]) numbers[i] = number_in(unit, *quantities[i]);
+  return Teuchos::ParameterEntry(numbers);
 }
 
 template <class T>
@@ -157,7 +173,11 @@ void Parameters::read(const ParameterDoc& doc, Read convert_entry) {
   const Teuchos::ParameterEntry* found = entry(doc);
   if (found == nullptr) return;
   try {
-    convert_entry(*found);
+    const auto* const quantities = section_->quantities(doc.name);
+    if (quantities)
+      convert_entry(in_unit(doc.unit, *found, *quantities));
+    else
+      convert_entry(*found);
   } catch (const InputError& fault) {
     section_->fail(fault.what(), doc.name);
   }
@@ -174,7 +194,7 @@ void Parameters::value(const std::string& name, T& member, const std::string& un
 void Parameters::function(const std::string& name, Function& member, const std::string& unit, const std::string& doc,
                           bool required) {
   read({name, "function", unit, "", required ? "" : member.text(), doc, required, {}},
-       [&](const Teuchos::ParameterEntry& entry) { member = read_function(entry, section_->functions()); });
+       [&](const Teuchos::ParameterEntry& entry) { member = read_function(entry, section_->functions(), unit); });
 }
 
 void Parameters::point(const std::string& name, Point& member, const std::string& unit, const std::string& doc,

@@ -35,10 +35,21 @@ void collect_unused(const Teuchos::ParameterList& list, const std::string& path,
 }  // namespace
 
 Section::Section(Teuchos::ParameterList& root, std::shared_ptr<const Sources> sources,
-                 std::shared_ptr<const FunctionLibrary> functions, std::string folder)
-    : list_(&root), sources_(std::move(sources)), functions_(std::move(functions)), folder_(std::move(folder)) {
+                 std::shared_ptr<const FunctionLibrary> functions, std::string folder,
+                 std::shared_ptr<const ValuesWithUnits> quantities)
+    : list_(&root),
+      sources_(std::move(sources)),
+      functions_(std::move(functions)),
+      quantities_(std::move(quantities)),
+      folder_(std::move(folder)) {
   if (!sources_) sources_ = std::make_shared<Sources>();
   if (!functions_) functions_ = std::make_shared<FunctionLibrary>();
+}
+
+const std::vector<std::optional<ValueWithUnit>>* Section::quantities(const std::string& name) const {
+  if (!quantities_) return nullptr;
+  const auto found = quantities_->find(join_path(path_, name));
+  return found == quantities_->end() ? nullptr : &found->second;
 }
 
 std::string Section::name() const {
@@ -65,6 +76,7 @@ Section Section::section(const std::string& name) const {
   }
   result.sources_ = sources_;
   result.functions_ = functions_;
+  result.quantities_ = quantities_;
   result.path_ = join_path(path_, name);
   result.folder_ = folder_;
   return result;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/function.hpp"
+#include "core/unit.hpp"
 
 namespace mudline {
 
@@ -21,7 +22,8 @@ class Section {
  public:
   /// `root` must outlive the section.
   Section(Teuchos::ParameterList& root, std::shared_ptr<const Sources> sources,
-          std::shared_ptr<const FunctionLibrary> functions, std::string folder);
+          std::shared_ptr<const FunctionLibrary> functions, std::string folder,
+          std::shared_ptr<const ValuesWithUnits> quantities = nullptr);
 
   /// "materials/clay"; "" at the root.
   const std::string& path() const { return path_; }
@@ -48,6 +50,9 @@ class Section {
   /// Throws InputError "<file>:<line>: <path>[/<entry>]: <message>"; the line is the entry's when known.
   [[noreturn]] void fail(const std::string& message, const std::string& entry = "") const;
 
+  /// The items of a value that is given with units; null: it has none.
+  const std::vector<std::optional<ValueWithUnit>>* quantities(const std::string& name) const;
+
   /// Where `entry` (or this section) was written, "deck.xml:12"; of an absent one, where its section was.
   std::string source(const std::string& entry = "") const;
 
@@ -67,6 +72,7 @@ class Section {
   Teuchos::ParameterList* list_ = nullptr;
   std::shared_ptr<const Sources> sources_;
   std::shared_ptr<const FunctionLibrary> functions_;
+  std::shared_ptr<const ValuesWithUnits> quantities_;  // null: none
   std::string path_, folder_;
   std::shared_ptr<Teuchos::ParameterList> own_;  // keeps an absent (empty) sublist alive
 };

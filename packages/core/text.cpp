@@ -137,13 +137,21 @@ std::optional<std::vector<std::string>> parse_array(const std::string& text) {
   const std::string inside = trim(whole.substr(1, whole.size() - 2));
   std::vector<std::string> items;
   if (inside.empty()) return items;
-  std::size_t begin = 0;
-  while (begin <= inside.size()) {
-    const auto comma = std::min(inside.find(',', begin), inside.size());
-    items.push_back(trim(inside.substr(begin, comma - begin)));
-    if (items.back().empty()) return {};
-    begin = comma + 1;
+  int depth = 0;
+  std::string item;
+  const auto take = [&] {
+    items.push_back(trim(item));
+    item.clear();
+    return !items.back().empty();
+  };
+  for (const char c : inside) {
+    depth += (c == '{' || c == '(') - (c == '}' || c == ')');
+    if (c != ',' || depth > 0)
+      item += c;
+    else if (!take())
+      return {};
   }
+  if (!take()) return {};
   return items;
 }
 

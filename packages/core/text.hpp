@@ -19,7 +19,8 @@ std::optional<double> parse_number(const std::string& text);
 std::optional<int> parse_integer(const std::string& text);
 /// Accepts only "true" and "false".
 std::optional<bool> parse_bool(const std::string& text);
-/// "{a, b}" -> a, b (trimmed); "{}" -> nothing in it. No value when the braces are missing or an item is empty.
+/// "{a, b}" -> a, b (trimmed); "{}" -> nothing in it. Commas within further braces or parentheses do not separate. No
+/// value when the braces are missing or an item is empty.
 std::optional<std::vector<std::string>> parse_array(const std::string& text);
 
 /// "materials" + "clay" -> "materials/clay"; the root's path is "".

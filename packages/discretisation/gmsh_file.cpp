@@ -18,7 +18,8 @@ GmshOverrides gmsh_overrides(const Section& section, const std::string& file) {
   GmshOverrides result;
   const Section given = section.section("parameters");
   Parameters p(given);
-  for (const std::string& name : given.parameter_names()) p.required(name, result[name], "-", any(), "");
+  for (const std::string& name : given.parameter_names())
+    p.required(name, result[name], "as the geometry says", any(), "");
   p.finish();
   if (!result.empty() && !is_gmsh_geometry(file)) {
     const std::string extension = std::filesystem::path(file).extension().string();

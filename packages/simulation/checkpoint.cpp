@@ -21,7 +21,7 @@ namespace mudline {
 namespace {
 
 /// Sections of the deck that may change between a run and its continuation.
-const char* const free_sections[] = {"stages", "solver", "output"};
+const char* const free_sections[] = {"variables", "stages", "solver", "output"};
 
 /// Name in the checkpoint of the names and fingerprints of the files of the fields, a line each.
 const char* const field_marks = "field files";

@@ -20,8 +20,8 @@ namespace mudline {
 
 const std::vector<std::string>& deck_sections() {
   static const std::vector<std::string> names{
-      "mesh",   "functions", "materials", "physics",      "bodies", "boundary conditions", "contacts", "mesh motion",
-      "stages", "solver",    "output",    "plausibility", "plugins"};
+      "variables", "mesh",        "functions", "materials", "physics", "bodies",       "boundary conditions",
+      "contacts",  "mesh motion", "stages",    "solver",    "output",  "plausibility", "plugins"};
   return names;
 }
 

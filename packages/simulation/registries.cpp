@@ -48,6 +48,10 @@ void append(std::vector<EntryDoc>& to, const Registered& registry) {
 
 std::vector<EntryDoc> document_all(const Registries& r) {
   std::vector<EntryDoc> docs;
+  docs.push_back(fixed("variables",
+                       "numbers, texts and bools, by names of your own; other values name them: 2*D in numbers, {D} in "
+                       "texts",
+                       [](Parameters&) {}));
   append(docs, r.mesh_sources);
   Registry<FunctionDefinition> functions("function");
   register_functions(functions);

@@ -23,6 +23,16 @@ def with_film(name, entry, message, **where):
     return Wrong(name, (TOUCHED, TOUCHED + parameter("drainage", "string", "film") + entry), message, at=entry, **where)
 
 
+GEOSTATIC = parameter("surcharge", "double", "20e3")
+
+
+def with_variables(name, variables, value, message, at, **where):
+    """The deck with variables, and a surcharge that may name them."""
+    entries = "".join(parameter(*entry) + "\n" for entry in variables)
+    return Wrong(name, [(section("mesh"), section("variables") + "\n" + entries + "</ParameterList>\n" + section("mesh")),
+                        (GEOSTATIC, parameter("surcharge", "double", value))], message, at=at, **where)
+
+
 MUD_TOP = parameter("top", "double", "{}")
 
 
@@ -56,6 +66,21 @@ DECKS = [
           "contacts/ball on clay/closing distance: -0.001 is out of range; allowed: [0, inf)"),
     Wrong("initial gap by another name", (TOUCHED, TOUCHED + parameter("initial gap", "string", "in situ stress")),
           "contacts/ball on clay/initial gap: 'in situ stress' is not a choice (did you mean 'in-situ stress'?)"),
+    # variables and units
+    with_variables("variable by another name", [("load", "double", "20 kPa")], "2*laod",
+                   "physics/ground/initial state/surcharge: there is no variable 'laod' (did you mean 'load'?)", 'value="2*laod"', ranks=BOTH),
+    with_variables("variable that is not used", [("load", "double", "20 kPa")], "20e3",
+                   "variables/load: no value names this variable (texts name it in braces, {load})", 'name="load" type="double"'),
+    with_variables("variables in a circle", [("a", "double", "b"), ("b", "double", "2*a")], "a",
+                   "variables/a: the variable is defined by itself: a, by b, by a", 'name="a" type="double"'),
+    with_variables("variable of another unit", [("size", "double", "20 cm")], "size",
+                   "physics/ground/initial state/surcharge: '20 cm' is no value in Pa", 'value="size"', ranks=BOTH),
+    Wrong("value of another unit", (GEOSTATIC, parameter("surcharge", "double", "20 kN")),
+          "physics/ground/initial state/surcharge: '20 kN' is no value in Pa"),
+    Wrong("unit by another name", (GEOSTATIC, parameter("surcharge", "double", "20 kpa")),
+          "physics/ground/initial state/surcharge: expected a number (double), given '20 kpa'; 'kpa' is no unit (did you mean 'kPa'?)"),
+    Wrong("setting of another unit", (), "--set physics/ground/initial state/surcharge=2 m: physics/ground/initial state/surcharge: '2 m' is no value in Pa", line=False,
+          settings=["physics/ground/initial state/surcharge=2 m"]),
     # wrong types
     Wrong("text for numbers", (parameter("cells", "Array(int)", "{3, 3}"), parameter("cells", "string", "many")),
           "mesh/cells: expected an array of numbers (Array(double)), given the string 'many'"),

@@ -13,7 +13,10 @@ const std::string footer = "</ParameterList>\n";
 /// The error of a deck whose `body` begins on its second line.
 std::string error_of(const std::string& body) {
   Deck deck;
-  return input_error([&] { deck.overlay(header + body + footer, "deck.xml"); });
+  return input_error([&] {
+    deck.overlay(header + body + footer, "deck.xml");
+    deck.root();
+  });
 }
 
 std::string text_error(const std::string& text) {
@@ -97,7 +100,8 @@ TEST(Deck, IncompleteEntries) {
 
 TEST(Deck, ValuesMustFitTheDeclaredType) {
   EXPECT_EQ(error_of(parameter("double", "abc")), "deck.xml:3: mesh/size: expected a number (double), given 'abc'");
-  EXPECT_EQ(error_of(parameter("double", "1.5 m")), "deck.xml:3: mesh/size: expected a number (double), given '1.5 m'");
+  EXPECT_EQ(error_of(parameter("double", "1.5 metres")),
+            "deck.xml:3: mesh/size: expected a number (double), given '1.5 metres'; 'metres' is no unit");
   EXPECT_EQ(error_of(parameter("double", "nan")), "deck.xml:3: mesh/size: expected a finite number, given 'nan'");
   EXPECT_EQ(error_of(parameter("double", "-inf")), "deck.xml:3: mesh/size: expected a finite number, given '-inf'");
   EXPECT_EQ(error_of(parameter("int", "1.5")), "deck.xml:3: mesh/size: expected an integer (int), given '1.5'");
@@ -152,6 +156,7 @@ TEST(DeckXml, MessagesStayOneLine) {
               deck.overlay(
                   "<ParameterList><Parameter name=\"two\nlines\" type=\"int\" value=\"a\nb\"/></ParameterList>",
                   "deck.xml");
+              deck.root();
             }),
             "deck.xml:1: two lines: expected an integer (int), given 'a b'");
 }
@@ -196,12 +201,14 @@ TEST_F(Overlay, SetKeepsTheTypeOfWhatItReplaces) {
   EXPECT_EQ(push().get<int>("steps"), 20);
   EXPECT_EQ(push().get<std::string>("title"), "7");
   deck.set("stages/push/duration=10*t");
+  deck.root();
   EXPECT_EQ(push().get<std::string>("duration"), "10*t");
 }
 
 TEST_F(Overlay, SetInfersTheTypeOfWhatIsNew) {
   for (const char* assignment : {"b=true", "i=3", "d=3.5", "ai={1, 2}", "ad={1, 2.5}", "as={a, b}", "s=some = words"})
     deck.set(assignment);
+  deck.root();
   const auto& list = deck.list();
   EXPECT_TRUE(list.get<bool>("b"));
   EXPECT_EQ(list.get<int>("i"), 3);

@@ -89,7 +89,7 @@ TEST(Expression, ErrorsNameTheReason) {
             "invalid expression '10*': unexpected end of expression at position 4");
   EXPECT_EQ(input_error([] { make_expression("2*velocity"); }),
             "invalid expression '2*velocity': unexpected token 'velocity' found at position 2; variables: t, x, y "
-            "(axisymmetric: t, r, z)");
+            "(axisymmetric: t, r, z); those of the deck stand in braces, {D}");
   EXPECT_EQ(input_error([] { make_expression("x = 3"); }),
             "invalid expression 'x = 3': an assignment with '=' is not possible; compare with '=='");
   EXPECT_EQ(input_error([] { make_expression("t, x"); }),
@@ -162,7 +162,7 @@ TEST(FunctionLibrary, SuggestsTheNearestName) {
   EXPECT_EQ(
       input_error([&] { library.resolve("load"); }),
       "invalid expression 'load': unexpected token 'load' found at position 0; variables: t, x, y (axisymmetric: t, "
-      "r, z); functions of the deck: ramp");
+      "r, z); those of the deck stand in braces, {D}; functions of the deck: ramp");
   EXPECT_EQ(input_error([&] { library.resolve("inf"); }), "expected a finite number, given 'inf'");
 }
 

@@ -1,0 +1,187 @@
+#include "core/unit.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "core/pi.hpp"
+#include "core/text.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr double minute = 60, hour = 3600, day = 86400, year = 365.25 * day;
+
+const std::map<std::string, Unit>& units() {
+  const std::array<int, 6> none{}, metre{1}, kilogram{0, 1}, second{0, 0, 1}, kelvin{0, 0, 0, 1}, radian{0, 0, 0, 0, 1},
+      celsius{0, 0, 0, 0, 0, 1}, newton{1, 1, -2}, pascal{-1, 1, -2}, joule{2, 1, -2}, watt{2, 1, -3};
+  static const std::map<std::string, Unit> all{{"%", {0.01, none}},
+                                               {"m", {1, metre}},
+                                               {"km", {1e3, metre}},
+                                               {"cm", {1e-2, metre}},
+                                               {"mm", {1e-3, metre}},
+                                               {"um", {1e-6, metre}},
+                                               {"kg", {1, kilogram}},
+                                               {"g", {1e-3, kilogram}},
+                                               {"t", {1e3, kilogram}},
+                                               {"Mg", {1e3, kilogram}},
+                                               {"s", {1, second}},
+                                               {"ms", {1e-3, second}},
+                                               {"min", {minute, second}},
+                                               {"h", {hour, second}},
+                                               {"hour", {hour, second}},
+                                               {"hours", {hour, second}},
+                                               {"d", {day, second}},
+                                               {"day", {day, second}},
+                                               {"days", {day, second}},
+                                               {"week", {7 * day, second}},
+                                               {"weeks", {7 * day, second}},
+                                               {"month", {year / 12, second}},
+                                               {"months", {year / 12, second}},
+                                               {"a", {year, second}},
+                                               {"year", {year, second}},
+                                               {"years", {year, second}},
+                                               {"N", {1, newton}},
+                                               {"kN", {1e3, newton}},
+                                               {"MN", {1e6, newton}},
+                                               {"Pa", {1, pascal}},
+                                               {"kPa", {1e3, pascal}},
+                                               {"MPa", {1e6, pascal}},
+                                               {"GPa", {1e9, pascal}},
+                                               {"bar", {1e5, pascal}},
+                                               {"J", {1, joule}},
+                                               {"kJ", {1e3, joule}},
+                                               {"MJ", {1e6, joule}},
+                                               {"W", {1, watt}},
+                                               {"kW", {1e3, watt}},
+                                               {"K", {1, kelvin}},
+                                               {"degC", {1, celsius}},
+                                               {"rad", {1, radian}},
+                                               {"deg", {pi / 180, radian}}};
+  return all;
+}
+
+/// Reads a product of units from the front of a text.
+class Product {
+ public:
+  explicit Product(const std::string& text) : text_(text) {}
+  /// Nothing where a part is no unit.
+  std::optional<Unit> read() {
+    if (!read_product(1)) return {};
+    return at_ == text_.size() ? std::optional<Unit>(unit_) : std::nullopt;
+  }
+
+ private:
+  char next() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  void skip(char c) {
+    while (next() == c) ++at_;
+  }
+  bool read_product(int sign) {
+    if (!read_factor(sign)) return false;
+    for (;;) {
+      const std::size_t before = at_;
+      skip(' ');
+      if (next() == '\0' || next() == ')') return true;
+      const bool divides = next() == '/';
+      if (divides || next() == '*')
+        ++at_;
+      else if (at_ == before)
+        return false;
+      skip(' ');
+      if (!read_factor(divides ? -sign : sign)) return false;
+    }
+  }
+  bool read_factor(int sign) {
+    if (next() == '(') {
+      ++at_;
+      if (!read_product(sign) || next() != ')') return false;
+      ++at_;
+      return true;
+    }
+    std::size_t end = at_;
+    while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end])) != 0) ++end;
+    if (end == at_ && next() == '%') ++end;
+    if (end == at_ && next() == '1') {  // as in 1/s
+      ++at_;
+      return true;
+    }
+    const auto found = units().find(text_.substr(at_, end - at_));
+    if (found == units().end()) return false;
+    at_ = end;
+    const int power = sign * read_power();
+    unit_.factor *= std::pow(found->second.factor, power);
+    for (std::size_t k = 0; k < unit_.powers.size(); ++k) unit_.powers[k] += power * found->second.powers[k];
+    return true;
+  }
+  /// The power that stands behind a unit; 1 where there is none.
+  int read_power() {
+    const std::size_t begin = at_;
+    if (next() == '^') ++at_;
+    const int sign = next() == '-' ? -1 : 1;
+    if (sign < 0) ++at_;
+    int power = 0, digits = 0;
+    for (; digits < 2 && std::isdigit(static_cast<unsigned char>(next())) != 0; ++digits)
+      power = 10 * power + (text_[at_++] - '0');
+    if (digits > 0) return sign * power;
+    at_ = begin;  // what stands there is no power
+    return 1;
+  }
+
+  const std::string& text_;
+  std::size_t at_ = 0;
+  Unit unit_;
+};
+
+/// Where the number ends that the text begins with; 0: it begins with none.
+std::size_t end_of_number(const std::string& text) {
+  for (std::size_t end = text.size(); end > 0; --end)
+    if (std::isdigit(static_cast<unsigned char>(text[end - 1])) != 0 || text[end - 1] == '.')
+      if (parse_number(text.substr(0, end))) return end;
+  return 0;
+}
+
+}  // namespace
+
+double ValueWithUnit::plain() const {
+  const Unit degree = units().at("deg");
+  return number * (unit.powers == degree.powers ? unit.factor / degree.factor : unit.factor);
+}
+
+std::optional<Unit> parse_unit(const std::string& text) {
+  const std::string whole = trim(text);
+  if (whole == "-") return Unit();
+  return Product(whole).read();
+}
+
+std::optional<ValueWithUnit> parse_quantity(const std::string& text) {
+  const std::string whole = trim(text);
+  const std::size_t end = end_of_number(whole);
+  if (end == 0 || end == whole.size()) return {};
+  const auto unit = parse_unit(whole.substr(end));
+  if (!unit || whole.back() == '-') return {};
+  return ValueWithUnit{*parse_number(whole.substr(0, end)), *unit, whole};
+}
+
+std::string unknown_unit(const std::string& text) {
+  const std::string whole = trim(text);
+  const std::size_t end = end_of_number(whole);
+  if (end == 0 || end == whole.size() || parse_quantity(whole)) return "";
+  const std::string rest = trim(whole.substr(end));
+  if (std::isalpha(static_cast<unsigned char>(rest[0])) == 0) return "";
+  std::vector<std::string> names;
+  for (const auto& entry : units()) names.push_back(entry.first);
+  const std::string near = nearest(rest, names);
+  return "; '" + rest + "' is no unit" + (near.empty() ? "" : " (did you mean '" + near + "'?)");
+}
+
+double number_in(const std::string& declared, const ValueWithUnit& quantity) {
+  const auto unit = parse_unit(declared);
+  if (!unit) return quantity.plain();
+  if (unit->powers != quantity.unit.powers)
+    throw InputError("'" + quantity.text + "' is no " + (declared == "-" ? "pure number" : "value in " + declared));
+  return quantity.number * (quantity.unit.factor / unit->factor);
+}
+
+}  // namespace mudline
