@@ -41,6 +41,12 @@ const Teuchos::ParameterList& list_of(const Teuchos::ParameterEntry& entry) {
   return Teuchos::any_cast<Teuchos::ParameterList>(entry.getAny(false));
 }
 
+/// A number within an expression, where a sign must not join what stands before or after it.
+std::string in_expression(double number) {
+  const std::string text = number_text(number);
+  return text[0] == '-' ? "(" + text + ")" : text;
+}
+
 /// The text in braces, where these are all.
 std::string bare(const std::string& text) {
   const std::string whole = trim(text);
@@ -96,7 +102,8 @@ void Variables::work_out(const std::string& name, const Sources& sources) {
   const Formula formula = formula_of(given_->getEntry(name));
   const bool number = formula.type == "double" || formula.type == "int";
   if (formula.type.rfind("Array", 0) == 0) fail("an array; a variable is a number, a text or a bool");
-  if (number || formula.text.find('{') != std::string::npos) work_out_words(formula.text, sources);
+  const bool names_others = number ? !parse_quantity(formula.text) : formula.text.find('{') != std::string::npos;
+  if (names_others) work_out_words(formula.text, sources);
   try {
     const Value worked_out = value(formula);
     const Teuchos::ParameterEntry& entry = worked_out.entry;
@@ -158,8 +165,8 @@ std::string Variables::replaced(const std::string& text) const {
     if (close == std::string::npos) throw InputError("a '{' that no '}' follows, in '" + text + "'");
     const std::string inside = trim(text.substr(open + 1, close - open - 1));
     const auto word = texts_.find(inside);
-    result +=
-        text.substr(begin, open - begin) + (word != texts_.end() ? word->second : number_text(number(inside).value));
+    result += text.substr(begin, open - begin);
+    result += word != texts_.end() ? word->second : in_expression(number(inside).value);
     begin = close + 1;
   }
   return result + text.substr(begin);

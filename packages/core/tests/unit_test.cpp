@@ -79,7 +79,8 @@ Soil read(const std::string& type, const std::string& name, const std::string& v
   Deck deck;
   deck.overlay("<ParameterList>\n" +
                    section_xml("variables", parameter("s_u", "double", "4 kPa") + parameter("phi", "double", "30 deg") +
-                                                parameter("use", "string", "{s_u} {phi}")) +
+                                                parameter("d", "double", "2 d") +
+                                                parameter("use", "string", "{s_u} {phi} {d}")) +
                    parameter("use", "string", "{use}") + section_xml("soil", parameter(name, type, value)) +
                    "</ParameterList>\n",
                "deck.xml");
@@ -110,15 +111,15 @@ TEST(Unit, ValuesOfOtherUnitsAreRefusedWithTheirLine) {
   const auto error = [](const std::string& type, const std::string& name, const std::string& value) {
     return input_error([&] { read(type, name, value); });
   };
-  EXPECT_EQ(error("double", "strength", "2 m"), "deck.xml:9: soil/strength: '2 m' is no value in Pa");
-  EXPECT_EQ(error("double", "strength", "phi"), "deck.xml:9: soil/strength: '30 deg' is no value in Pa");
+  EXPECT_EQ(error("double", "strength", "2 m"), "deck.xml:10: soil/strength: '2 m' is no value in Pa");
+  EXPECT_EQ(error("double", "strength", "phi"), "deck.xml:10: soil/strength: '30 deg' is no value in Pa");
   EXPECT_EQ(error("double", "strength", "2 MPa"),
-            "deck.xml:9: soil/strength: 2e+06 is out of range; allowed: [0, 1e+06]");
-  EXPECT_EQ(error("Array(double)", "tops", "{1 m, 2 s}"), "deck.xml:9: soil/tops: '2 s' is no value in m");
-  EXPECT_EQ(error("string", "load", "3 m"), "deck.xml:9: soil/load: '3 m' is no value in Pa");
+            "deck.xml:10: soil/strength: 2e+06 is out of range; allowed: [0, 1e+06]");
+  EXPECT_EQ(error("Array(double)", "tops", "{1 m, 2 s}"), "deck.xml:10: soil/tops: '2 s' is no value in m");
+  EXPECT_EQ(error("string", "load", "3 m"), "deck.xml:10: soil/load: '3 m' is no value in Pa");
   EXPECT_EQ(error("double", "strength", "3 kpa"),
-            "deck.xml:9: soil/strength: expected a number, given '3 kpa'; 'kpa' is no unit (did you mean 'kPa'?)");
-  EXPECT_EQ(error("int", "strength", "3 kPa"), "deck.xml:9: soil/strength: expected an integer (int), given '3 kPa'");
+            "deck.xml:10: soil/strength: expected a number, given '3 kpa'; 'kpa' is no unit (did you mean 'kPa'?)");
+  EXPECT_EQ(error("int", "strength", "3 kPa"), "deck.xml:10: soil/strength: expected an integer (int), given '3 kPa'");
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ TEST(Variables, StandInValuesOfEveryType) {
   EXPECT_EQ(worked_out("string", "{soil}").get<std::string>("value"), "clay");
   EXPECT_EQ(worked_out("string", "meshes/{file}").get<std::string>("value"), "meshes/clay_6.msh");
   EXPECT_EQ(worked_out("string", "-{2*D}*sin(t)").get<std::string>("value"), "-1*sin(t)");
+  EXPECT_EQ(worked_out("string", "3 - {-D}^2*t").get<std::string>("value"), "3 - (-0.5)^2*t") << "signs stay apart";
   EXPECT_EQ(worked_out("string", "D").get<std::string>("value"), "D") << "texts name variables in braces";
   const auto places = worked_out("Array(double)", "{0, -D, {max(D, n)}}").get<Teuchos::Array<double>>("value");
   EXPECT_EQ(places.toVector(), (std::vector<double>{0, -0.5, 6}));
