@@ -13,6 +13,7 @@
 #include "checks/plausibility.hpp"
 #include "commands.hpp"
 #include "core/documentation.hpp"
+#include "core/search_docs.hpp"
 #include "discretisation/gmsh_library.hpp"
 #include "simulation/plugin.hpp"
 
@@ -70,15 +71,21 @@ int list(const std::string& kind, bool markdown_wanted, bool xsd_wanted, const s
 
 int explain(const std::string& name, const std::string& plugin) {
   const std::vector<EntryDoc> docs = documentation(plugin);
-  std::vector<std::string> names;
   bool found = false;
   for (const EntryDoc& entry : docs) {
-    names.push_back(entry.name);
     if (entry.name != name) continue;
     if (rank() == 0) std::cout << (found ? "\n" : "") << mudline::explain(entry);
     found = true;
   }
-  if (!found) throw InputError("nothing is called '" + name + "'" + suggestion(name, names));
+  if (found) return 0;
+  const std::vector<std::string> lines = search_docs(docs, name);
+  if (lines.empty()) {
+    const std::string near = nearest(name, documented_names(docs));
+    throw InputError("nothing is called '" + name + "', and no text of the reference holds it" +
+                     (near.empty() ? "; `mudline list` shows all types" : " (did you mean '" + near + "'?)"));
+  }
+  if (rank() == 0)
+    for (const std::string& line : lines) std::cout << line << "\n";
   return 0;
 }
 

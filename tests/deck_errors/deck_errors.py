@@ -229,7 +229,8 @@ class CommandLine(Answering):
                     "error: results/deck.h5: no file of mesh parts, as `mudline split` writes it")
 
     def test_unknown_names(self):
-        self.answer(["explain", "modified cam"], "error: nothing is called 'modified cam' (did you mean 'modified cam clay'?)")
+        self.answer(["explain", "modifed cam clay"],
+                    "error: nothing is called 'modifed cam clay', and no text of the reference holds it (did you mean 'modified cam clay'?)")
         self.answer(["template", "bio"], "error: nothing is called 'bio' (did you mean 'biot'?)")
         self.answer(["list", "physic"], "error: unknown kind 'physic' (did you mean 'physics'?)")
 

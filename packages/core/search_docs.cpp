@@ -1,0 +1,223 @@
+#include "core/search_docs.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <utility>
+
+#include "core/text.hpp"
+
+namespace mudline {
+
+namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// What practice calls by other names than the decks: words to the names that decks have.
+const std::map<std::string, std::vector<std::string>>& other_names() {
+  static const std::map<std::string, std::vector<std::string>> names{
+      {"ale", {"mesh motion", "remeshing"}},
+      {"adhesion", {"coulomb", "strength"}},
+      {"absorbing boundary", {"absorbing"}},
+      {"c", {"cohesion"}},
+      {"checkpoint", {"checkpoint steps"}},
+      {"clay", {"modified cam clay", "tresca"}},
+      {"consolidation", {"quasi-static", "hydraulic conductivity", "pore pressure"}},
+      {"cpt", {"cone penetrometer"}},
+      {"cu", {"undrained strength"}},
+      {"dilatancy", {"dilation angle"}},
+      {"drainage", {"pore pressure", "drainage"}},
+      {"dt", {"time step"}},
+      {"e", {"Young's modulus", "void ratio"}},
+      {"e0", {"void ratio"}},
+      {"elasticity", {"linear elastic", "neo-hookean"}},
+      {"encastre", {"fixed"}},
+      {"groundwater", {"water level"}},
+      {"groundwater level", {"water level"}},
+      {"infinite elements", {"absorbing"}},
+      {"initial stress", {"initial state"}},
+      {"interface", {"contacts", "friction", "coulomb"}},
+      {"k", {"hydraulic conductivity", "permeability"}},
+      {"kappa", {"swelling slope"}},
+      {"lambda", {"compression slope"}},
+      {"load", {"traction", "pressure", "force"}},
+      {"lysmer", {"absorbing"}},
+      {"m", {"critical stress ratio"}},
+      {"mcc", {"modified cam clay"}},
+      {"mohr coulomb", {"mohr-coulomb"}},
+      {"newton", {"newton", "solver"}},
+      {"nu", {"Poisson's ratio"}},
+      {"ocr", {"overconsolidation ratio"}},
+      {"paraview", {"output", "field interval"}},
+      {"permeability", {"hydraulic conductivity", "constant", "kozeny-carman", "log-linear"}},
+      {"phi", {"friction angle"}},
+      {"phreatic level", {"water level"}},
+      {"pile", {"flat pile"}},
+      {"pinned", {"fixed"}},
+      {"pop", {"preoverburden pressure"}},
+      {"pore water pressure", {"pore pressure"}},
+      {"psi", {"dilation angle"}},
+      {"quiet boundary", {"absorbing"}},
+      {"rayleigh", {"mass damping", "stiffness damping"}},
+      {"roller", {"fixed"}},
+      {"rollers", {"fixed"}},
+      {"roughness", {"coulomb", "friction"}},
+      {"s_u", {"undrained strength"}},
+      {"sand", {"mohr-coulomb", "drucker-prager"}},
+      {"shear strength", {"undrained strength", "cohesion"}},
+      {"step size", {"time step"}},
+      {"su", {"undrained strength"}},
+      {"support", {"fixed"}},
+      {"supports", {"fixed"}},
+      {"symmetry", {"fixed"}},
+      {"undrained shear strength", {"undrained strength"}},
+      {"unit weight", {"unit weight", "density", "grain density"}},
+      {"user material", {"umat"}},
+      {"viscous boundary", {"absorbing"}},
+      {"water table", {"water level"}},
+      {"weight", {"gravity", "density", "grain density"}},
+      {"young", {"Young's modulus"}},
+  };
+  return names;
+}
+
+/// What one name stands for, in all places where it means the same.
+struct Hit {
+  std::string name, meaning, unit;
+  std::vector<std::string> places;
+  int score = 0;
+};
+
+class Search {
+ public:
+  explicit Search(const std::string& words) : whole_(lower(trim(words))) {
+    std::string word;
+    for (const char c : whole_ + " ")
+      if (c != ' ')
+        word += c;
+      else if (!word.empty())
+        words_.push_back(std::exchange(word, ""));
+    const auto other = other_names().find(whole_);
+    if (other != other_names().end()) others_ = other->second;
+  }
+
+  void look_at(const EntryDoc& entry) {
+    behind_ = entry.name == "plausibility" ? 15 : entry.kind == "test" ? 5 : 0;
+    const std::string place = entry.name + " (" + entry.kind + ")";
+    add(entry.name, entry.summary, "", entry.kind, "", {});
+    if (entry.kind != "section" && lower(entry.kind) == whole_) hit(place, entry.summary, "", "", 70);
+    look_at(entry.parameters, entry.sections, place);
+  }
+
+  std::vector<Hit> best_first() {
+    std::stable_sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return a.score > b.score; });
+    return hits_;
+  }
+
+ private:
+  void look_at(const std::vector<ParameterDoc>& parameters, const std::vector<Parameters::SubsectionDoc>& sections,
+               const std::string& place) {
+    for (const ParameterDoc& doc : parameters) add(doc.name, doc.doc, doc.unit, "", place, doc.choices);
+    for (const Parameters::SubsectionDoc& section : sections) {
+      add(section.name, section.doc, "", "section", place, {});
+      look_at(section.parameters, section.sections, place + ", " + section.name);
+    }
+  }
+
+  /// Whether a word begins somewhere in the text; one of two letters must end there, too.
+  static bool holds(const std::string& text, const std::string& word) {
+    const auto in_word = [&](std::size_t i) {
+      return i < text.size() && std::isalnum(static_cast<unsigned char>(text[i])) != 0;
+    };
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+      if ((at == 0 || !in_word(at - 1)) && (word.size() > 2 || !in_word(at + word.size()))) return true;
+    return false;
+  }
+  bool holds_all(const std::string& text) const {
+    return whole_.size() > 1 &&
+           std::all_of(words_.begin(), words_.end(), [&](const auto& word) { return holds(text, word); });
+  }
+
+  void add(const std::string& name, const std::string& meaning, const std::string& unit, const std::string& kind,
+           const std::string& place, const std::vector<std::string>& choices) {
+    const std::string bare = trim(name.substr(0, name.find('[')));  // without a unit
+    const std::string here = lower(bare);
+    const auto other = std::find(others_.begin(), others_.end(), bare);
+    const auto choice =
+        std::find_if(choices.begin(), choices.end(), [&](const auto& word) { return lower(word) == whole_; });
+    int score = 0;
+    if (here == whole_)
+      score = 100;
+    else if (other != others_.end())
+      score = 90 - static_cast<int>(other - others_.begin());
+    else if (holds_all(here))
+      score = 60;
+    else if (choice != choices.end())
+      score = 65;
+    else if (holds_all(here + " " + lower(meaning)))
+      score = 20;
+    if (score == 0) return;
+    const std::string of_kind = kind.empty() || kind == "section" ? "" : " (" + kind + ")";
+    hit(name + of_kind + (score == 65 ? " = " + *choice : ""), meaning, unit, place, score - behind_);
+  }
+
+  void hit(const std::string& name, const std::string& meaning, const std::string& unit, const std::string& place,
+           int score) {
+    for (Hit& known : hits_)
+      if (known.name == name && known.meaning == meaning) {
+        if (!place.empty()) known.places.push_back(place);
+        return;
+      }
+    hits_.push_back({name, meaning, unit, {}, score});
+    if (!place.empty()) hits_.back().places.push_back(place);
+  }
+
+  std::string whole_;
+  std::vector<std::string> words_, others_;
+  std::vector<Hit> hits_;
+  int behind_ = 0;  // what is taken off the scores of this entry
+};
+
+std::string line_of(const Hit& hit) {
+  std::string line = hit.name;
+  if (!hit.unit.empty() && hit.unit != "-" && hit.name.find('[') == std::string::npos) line += " [" + hit.unit + "]";
+  if (!hit.places.empty()) line += ", in " + hit.places.front();
+  if (hit.places.size() > 1) line += " and " + std::to_string(hit.places.size() - 1) + " more";
+  return beginning(line + ": " + hit.meaning, 160);
+}
+
+void collect_names(const std::vector<ParameterDoc>& parameters, const std::vector<Parameters::SubsectionDoc>& sections,
+                   std::vector<std::string>& names) {
+  for (const ParameterDoc& doc : parameters) names.push_back(doc.name);
+  for (const Parameters::SubsectionDoc& section : sections) {
+    names.push_back(section.name);
+    collect_names(section.parameters, section.sections, names);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> search_docs(const std::vector<EntryDoc>& entries, const std::string& words, std::size_t most) {
+  Search search(words);
+  for (const EntryDoc& entry : entries) search.look_at(entry);
+  const std::vector<Hit> hits = search.best_first();
+  const std::size_t shown = hits.size() > most ? most - 1 : hits.size();
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < shown; ++i) lines.push_back(line_of(hits[i]));
+  if (shown < hits.size()) lines.push_back("and " + std::to_string(hits.size() - shown) + " more; name it closer");
+  return lines;
+}
+
+std::vector<std::string> documented_names(const std::vector<EntryDoc>& entries) {
+  std::vector<std::string> names;
+  for (const EntryDoc& entry : entries) {
+    names.push_back(entry.name);
+    collect_names(entry.parameters, entry.sections, names);
+  }
+  return names;
+}
+
+}  // namespace mudline
