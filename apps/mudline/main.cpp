@@ -238,9 +238,10 @@ void require_text(int argc, char** argv) {
 
 int dispatch(int argc, char** argv, bool root) {
   require_text(argc, argv);
-  CLI::App app{"mudline: large-deformation dynamics of saturated porous media"};
+  CLI::App app{"mudline: large-deformation dynamics of saturated porous media", "mudline"};
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "help of all commands");
+  app.set_version_flag("--version", "mudline " MUDLINE_VERSION, "version; more by the command 'version'");
   app.footer(
       "examples:\n"
       "  mudline run inputs/penetration/cone_indentation.xml\n"
@@ -253,6 +254,10 @@ int dispatch(int argc, char** argv, bool root) {
   const std::vector<Command> commands =
       all_commands(app, std::vector<std::string>(argv + std::min(argc, 2), argv + argc));
 
+  if (argc == 1) {
+    if (root) std::cout << app.help();
+    return 0;
+  }
   for (const Command& command : commands)  // a script reads its own arguments, its --help too
     if (argc > 1 && command.options->get_allow_extras() && command.options->get_name() == argv[1]) return command.act();
   try {

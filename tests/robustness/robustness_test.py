@@ -177,6 +177,10 @@ class Help(MudlineCase):
 
     def test_version(self):
         self.assertRegex(self.said("version"), r"\Amudline \d+\.\d+\.\d+\n")
+        self.assertRegex(self.said("--version"), r"\Amudline \d+\.\d+\.\d+\n\Z")
+
+    def test_without_arguments_it_says_what_it_can(self):
+        self.assertEqual(self.said(), self.said("--help"))
 
     def test_a_name_of_every_kind_is_explained(self):
         """The unit test Documentation looks at all names."""
