@@ -79,11 +79,6 @@ int explain(const std::string& name, const std::string& plugin) {
   }
   if (found) return 0;
   const std::vector<std::string> lines = search_docs(docs, name);
-  if (lines.empty()) {
-    const std::string near = nearest(name, documented_names(docs));
-    throw InputError("nothing is called '" + name + "', and no text of the reference holds it" +
-                     (near.empty() ? "; `mudline list` shows all types" : " (did you mean '" + near + "'?)"));
-  }
   if (rank() == 0)
     for (const std::string& line : lines) std::cout << line << "\n";
   return 0;

@@ -259,7 +259,7 @@ int dispatch(int argc, char** argv, bool root) {
     return 0;
   }
   for (const Command& command : commands)  // a script reads its own arguments, its --help too
-    if (argc > 1 && command.options->get_allow_extras() && command.options->get_name() == argv[1]) return command.act();
+    if (command.options->get_allow_extras() && command.options->get_name() == argv[1]) return command.act();
   try {
     require_command(app, argc, argv);
     app.parse(argc, argv);

@@ -36,15 +36,6 @@ std::string read_everywhere(const Comm& comm, const std::string& path) {
   return text;
 }
 
-/// True where a parameter of the section, or below it, comes from another file than `source`, or from --set.
-bool has_entries_apart(const Section& section, const std::string& source) {
-  for (const std::string& name : section.parameter_names())
-    if (apart(section.source(name), source)) return true;
-  for (const std::string& name : section.section_names())
-    if (has_entries_apart(section.section(name), source)) return true;
-  return false;
-}
-
 }  // namespace
 
 Deck read_deck(const DeckOptions& options) {
@@ -63,7 +54,7 @@ void refuse_unused_functions(const Section& root) {
   const std::vector<std::string> sections = root.section_names();
   const Section functions = root.section("functions");
   for (const std::string& name : root.functions().names())
-    if (!has_entries_apart(root, functions.source(name)) &&
+    if (!root.has_entries_apart(functions.source(name)) &&
         std::none_of(sections.begin(), sections.end(), [&](const std::string& section) {
           return section != "functions" && mentions(root.section(section).list(), name);
         }))

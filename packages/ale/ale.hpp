@@ -103,7 +103,7 @@ class Ale {
   const GhostedMesh& mesh() const { return mesh_; }
   const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
   /// Boundary surfaces of the whole mesh; empty in the plane.
-  const MeshSurfaces& surfaces() const { return surface_motion().surfaces(); }
+  const MeshSurfaces& surfaces() const { return deck_.boundary.parts(); }
   const SurfaceMotion& surface_motion() const { return deck_.boundary.surfaces(); }
   /// Remap of point data to the moved mesh, and the patches of a block of the soil for it.
   const Remap& remap() const { return *remap_; }

@@ -88,9 +88,10 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
 MeshSurfaces BoundaryMotion::deck_parts(const GhostedMesh& mesh, const Positions& source) const {
   const auto on_body = [&](int node) { return starts_on_body(source[node]); };
   const double angle = corner_angle_ * pi / 180;
-  if (in_space_) return split_surfaces(boundary_faces(mesh), source, corner_nodes(mesh), angle, on_body);
+  const std::set<int> corners = corner_nodes(mesh);
+  if (in_space_) return split_surfaces(boundary_faces(mesh), source, corners, angle, on_body);
   MeshSurfaces result;
-  result.curves = find_paths(mesh, source, corners_, angle, on_body);
+  result.curves = find_paths(mesh, source, corners, angle, on_body);
   return result;
 }
 

@@ -32,18 +32,15 @@ double turning(const Positions& x, int before, int at, int after) {
 
 class Splitter {
  public:
-  Splitter(const GhostedMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
-           double corner_angle, const std::function<bool(int)>& on_body)
+  Splitter(const GhostedMesh& mesh, const Positions& source, const std::set<int>& corners, double corner_angle,
+           const std::function<bool(int)>& on_body)
       : x_(source), edges_(feature_edges(mesh)), on_body_(on_body) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       at_[edges_[i].from].push_back(static_cast<int>(i));
       at_[edges_[i].to].push_back(static_cast<int>(i));
     }
-    std::set<int> named;
-    for (const std::string& name : corners)
-      for (int node : mesh.node_sets().at(name)) named.insert(node);
     for (const auto& [node, touching] : at_)
-      if (touching.size() != 2 || named.count(node) || edges_[touching[0]].sets != edges_[touching[1]].sets ||
+      if (touching.size() != 2 || corners.count(node) || edges_[touching[0]].sets != edges_[touching[1]].sets ||
           is_corner(other_end(touching[0], node), node, other_end(touching[1], node), corner_angle))
         ends_.insert(node);
   }
@@ -98,9 +95,8 @@ SideLocator::Side MeshPath::side(int first) const {
   return {CellShape::line3, {nodes[first], nodes[last], nodes[first + 1]}};
 }
 
-std::vector<MeshPath> find_paths(const GhostedMesh& mesh, const Positions& source,
-                                 const std::vector<std::string>& corners, double corner_angle,
-                                 const std::function<bool(int node)>& on_body) {
+std::vector<MeshPath> find_paths(const GhostedMesh& mesh, const Positions& source, const std::set<int>& corners,
+                                 double corner_angle, const std::function<bool(int node)>& on_body) {
   return Splitter(mesh, source, corners, corner_angle, on_body).paths();
 }
 

@@ -25,11 +25,11 @@ struct MeshPath {
 };
 
 /// All boundaries of the mesh's regions, split into paths. A path ends where regions meet, where the side sets change,
-/// at the nodes of the sets named as corners, and where the boundary of the source's mesh turns by more than
+/// at the nodes `corners`, and where the boundary of the source's mesh turns by more than
 /// `corner_angle` [rad] and does not lie on a body there (`on_body` of a node; asked only where it turns): such a bend
 /// belongs to the body, and the soil slides past it. The ends of paths are material points.
 std::vector<MeshPath> find_paths(
-    const GhostedMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle,
+    const GhostedMesh& mesh, const Positions& source, const std::set<int>& corners, double corner_angle,
     const std::function<bool(int node)>& on_body = [](int) { return false; });
 
 }  // namespace mudline

@@ -53,17 +53,19 @@ std::vector<std::string> split_path(const std::string& path) {
 Teuchos::ParameterEntry replacement(const Teuchos::ParameterList& list, const std::string& name,
                                     const std::string& text) {
   const std::string type = list.isParameter(name) ? entry_type(list.getEntry(name)) : "";
-  Teuchos::ParameterEntry entry = infer_entry(text);
-  try {
-    if (!type.empty()) entry = make_entry_or_formula(type, text);
-  } catch (const InputError&) {
+  if (!type.empty()) {
+    try {
+      const Teuchos::ParameterEntry entry = make_entry_or_formula(type, text);
+      return entry.isType<Formula>() ? Teuchos::ParameterEntry(Formula{type, text, true}) : entry;
+    } catch (const InputError&) {
+      return infer_entry(text);
+    }
   }
-  const bool formula =
-      entry.isType<Formula>() || (type.empty() && text.find('{') != std::string::npos &&
-                                  (entry.isType<std::string>() || entry_type(entry) == "Array(string)"));
-  if (type.empty() && entry.isType<std::string>() && parse_quantity(text))
-    return Teuchos::ParameterEntry(Formula{"double", text});
-  return formula ? Teuchos::ParameterEntry(Formula{type, text, true}) : entry;
+  const Teuchos::ParameterEntry entry = infer_entry(text);
+  if (entry.isType<std::string>() && parse_quantity(text)) return Teuchos::ParameterEntry(Formula{"double", text});
+  const bool words = entry.isType<std::string>() || entry_type(entry) == "Array(string)";
+  const bool braces = text.find('{') != std::string::npos;
+  return words && braces ? Teuchos::ParameterEntry(Formula{type, text, true}) : entry;
 }
 
 void refuse_non_finite(const Teuchos::ParameterEntry& entry, const std::string& position, const std::string& path) {
@@ -150,7 +152,6 @@ Section Deck::root() {
   const Variables variables(*list_, *sources_);
   auto quantities = std::make_shared<ValuesWithUnits>();
   variables.replace_formulas(*list_, *sources_, *quantities);
-  variables.refuse_unused(*list_, *sources_);
   Registry<FunctionDefinition> types("function");
   register_functions(types);
   const Teuchos::ParameterEntry* geometry =
@@ -158,6 +159,7 @@ Section Deck::root() {
   const bool space = geometry != nullptr && geometry->isType<std::string>() &&
                      Teuchos::any_cast<std::string>(geometry->getAny(false)) == geometry_in_space;
   const Section bare(*list_, sources_, std::make_shared<FunctionLibrary>(space ? 3 : 2), folder_, quantities);
+  variables.refuse_unused(bare);
   auto functions = std::make_shared<FunctionLibrary>(read_functions(bare.section("functions"), types));
   return Section(*list_, sources_, functions, folder_, quantities);
 }

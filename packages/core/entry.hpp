@@ -55,7 +55,7 @@ bool mentions(const Teuchos::ParameterList& list, const std::string& word);
 /// Throws InputError without position ("expected a number (double), given 'abc'"); nan and inf are refused.
 Teuchos::ParameterEntry make_entry(const std::string& type, const std::string& text);
 
-/// The same, or a Formula where `text` may be one: a text with braces, or a number that is given by names.
+/// The same, or a Formula where `text` may be one: a text with braces, or a number that is written otherwise.
 Teuchos::ParameterEntry make_entry_or_formula(const std::string& type, const std::string& text);
 
 /// The narrowest of bool, int, double, array and string that `text` fits.

@@ -1,19 +1,19 @@
 #include "core/errors.hpp"
 
 #include <algorithm>
-#include <cctype>
+
+#include "core/text.hpp"
 
 namespace mudline {
 
 namespace {
 
 /// Removes differences that the edit distance ignores: case, and '_' or '-' for ' '.
-std::string normalised(std::string text) {
-  for (char& c : text) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (c == '_' || c == '-') c = ' ';
-  }
-  return text;
+std::string normalised(const std::string& text) {
+  std::string result = lower_case(text);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c == '_' || c == '-'; }, ' ');
+  return result;
 }
 
 /// Number of insertions, deletions, substitutions and swaps of neighbours that turn a into b (optimal string alignment

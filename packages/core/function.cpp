@@ -27,16 +27,12 @@ class Expression : public FunctionBase {
     parser_.DefineVar("y", &point_[1]);
     parser_.DefineVar("z", &point_[dimension - 1]);
     if (dimension == 2) parser_.DefineVar("r", &point_[0]);
-    names_ = dimension == 3 ? "variables: t, x, y, z" : "variables: t, x, y (axisymmetric: t, r, z)";
-    names_ += "; those of the deck stand in braces, {D}";
+    hint_ = dimension == 3 ? "; variables: t, x, y, z" : "; variables: t, x, y (axisymmetric: t, r, z)";
+    hint_ += "; those of the deck stand in braces, {D}";
     read(text);
   }
   Expression(const std::string& text, const std::map<std::string, double>& constants) {
-    for (const auto& [name, value] : constants) {
-      parser_.DefineConst(name, value);
-      words_.push_back(name);
-    }
-    names_ = "variables: " + join(words_);
+    for (const auto& [name, value] : constants) parser_.DefineConst(name, value);
     read(text);
   }
 
@@ -85,7 +81,7 @@ class Expression : public FunctionBase {
     const std::string word = misspelt_word(error);
     if (word.empty()) return message;
     const std::string near = nearest(word, known_words());
-    return message + (near.empty() ? "; " + names_ : " (did you mean '" + near + "'?)");
+    return message + (near.empty() ? hint_ : " (did you mean '" + near + "'?)");
   }
 
   /// The token that muParser rejects may run on ("sinn(t)"): only its leading word can be a misspelt name.
@@ -97,14 +93,13 @@ class Expression : public FunctionBase {
   }
 
   std::vector<std::string> known_words() const {
-    std::vector<std::string> words = words_;
-    words.push_back("pi");
+    std::vector<std::string> words{"pi"};
+    for (const auto& constant : parser_.GetConst()) words.push_back(constant.first);
     for (const auto& function : parser_.GetFunDef()) words.push_back(function.first);
     return words;
   }
 
-  std::vector<std::string> words_;  // names of constants
-  std::string names_;               // tells those that there are
+  std::string hint_;  // added to an unknown name: those that there are
   mutable mu::Parser parser_;
   mutable std::mutex mutex_;
   mutable double time_ = 0.0;

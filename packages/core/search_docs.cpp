@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
-#include <utility>
+#include <sstream>
 
+#include "core/errors.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
 
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 /// What practice calls by other names than the decks: words to the names that decks have.
 const std::map<std::string, std::vector<std::string>>& other_names() {
@@ -93,13 +90,9 @@ struct Hit {
 
 class Search {
  public:
-  explicit Search(const std::string& words) : whole_(lower(trim(words))) {
-    std::string word;
-    for (const char c : whole_ + " ")
-      if (c != ' ')
-        word += c;
-      else if (!word.empty())
-        words_.push_back(std::exchange(word, ""));
+  explicit Search(const std::string& words) : whole_(lower_case(trim(words))) {
+    std::istringstream text(whole_);
+    words_.assign(std::istream_iterator<std::string>(text), {});
     const auto other = other_names().find(whole_);
     if (other != other_names().end()) others_ = other->second;
   }
@@ -108,9 +101,12 @@ class Search {
     behind_ = entry.name == "plausibility" ? 15 : entry.kind == "test" ? 5 : 0;
     const std::string place = entry.name + " (" + entry.kind + ")";
     add(entry.name, entry.summary, "", entry.kind, "", {});
-    if (entry.kind != "section" && lower(entry.kind) == whole_) hit(place, entry.summary, "", "", 70);
+    if (entry.kind != "section" && lower_case(entry.kind) == whole_) hit(place, entry.summary, "", "", 70);
     look_at(entry.parameters, entry.sections, place);
   }
+
+  /// The nearest name of all that was looked at; "" if none is near.
+  std::string nearest_name() const { return nearest(whole_, names_); }
 
   std::vector<Hit> best_first() {
     std::stable_sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return a.score > b.score; });
@@ -144,10 +140,12 @@ class Search {
   void add(const std::string& name, const std::string& meaning, const std::string& unit, const std::string& kind,
            const std::string& place, const std::vector<std::string>& choices) {
     const std::string bare = trim(name.substr(0, name.find('[')));  // without a unit
-    const std::string here = lower(bare);
+    const std::string here = lower_case(bare);
     const auto other = std::find(others_.begin(), others_.end(), bare);
     const auto choice =
-        std::find_if(choices.begin(), choices.end(), [&](const auto& word) { return lower(word) == whole_; });
+        std::find_if(choices.begin(), choices.end(), [&](const auto& word) { return lower_case(word) == whole_; });
+    names_.push_back(name);
+    std::string shown = name + (kind.empty() || kind == "section" ? "" : " (" + kind + ")");
     int score = 0;
     if (here == whole_)
       score = 100;
@@ -155,13 +153,12 @@ class Search {
       score = 90 - static_cast<int>(other - others_.begin());
     else if (holds_all(here))
       score = 60;
-    else if (choice != choices.end())
+    else if (choice != choices.end()) {
       score = 65;
-    else if (holds_all(here + " " + lower(meaning)))
+      shown += " = " + *choice;
+    } else if (holds_all(here + " " + lower_case(meaning)))
       score = 20;
-    if (score == 0) return;
-    const std::string of_kind = kind.empty() || kind == "section" ? "" : " (" + kind + ")";
-    hit(name + of_kind + (score == 65 ? " = " + *choice : ""), meaning, unit, place, score - behind_);
+    if (score > 0) hit(shown, meaning, unit, place, score - behind_);
   }
 
   void hit(const std::string& name, const std::string& meaning, const std::string& unit, const std::string& place,
@@ -176,7 +173,7 @@ class Search {
   }
 
   std::string whole_;
-  std::vector<std::string> words_, others_;
+  std::vector<std::string> words_, others_, names_;
   std::vector<Hit> hits_;
   int behind_ = 0;  // what is taken off the scores of this entry
 };
@@ -189,35 +186,22 @@ std::string line_of(const Hit& hit) {
   return beginning(line + ": " + hit.meaning, 160);
 }
 
-void collect_names(const std::vector<ParameterDoc>& parameters, const std::vector<Parameters::SubsectionDoc>& sections,
-                   std::vector<std::string>& names) {
-  for (const ParameterDoc& doc : parameters) names.push_back(doc.name);
-  for (const Parameters::SubsectionDoc& section : sections) {
-    names.push_back(section.name);
-    collect_names(section.parameters, section.sections, names);
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> search_docs(const std::vector<EntryDoc>& entries, const std::string& words, std::size_t most) {
   Search search(words);
   for (const EntryDoc& entry : entries) search.look_at(entry);
   const std::vector<Hit> hits = search.best_first();
+  if (hits.empty()) {
+    const std::string near = search.nearest_name();
+    throw InputError("nothing is called '" + words + "', and no text of the reference holds it" +
+                     (near.empty() ? "; `mudline list` shows all types" : " (did you mean '" + near + "'?)"));
+  }
   const std::size_t shown = hits.size() > most ? most - 1 : hits.size();
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < shown; ++i) lines.push_back(line_of(hits[i]));
   if (shown < hits.size()) lines.push_back("and " + std::to_string(hits.size() - shown) + " more; name it closer");
   return lines;
-}
-
-std::vector<std::string> documented_names(const std::vector<EntryDoc>& entries) {
-  std::vector<std::string> names;
-  for (const EntryDoc& entry : entries) {
-    names.push_back(entry.name);
-    collect_names(entry.parameters, entry.sections, names);
-  }
-  return names;
 }
 
 }  // namespace mudline

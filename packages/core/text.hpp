@@ -9,6 +9,9 @@ namespace mudline {
 /// `text` without white space at its ends.
 std::string trim(const std::string& text);
 
+/// The text with small letters; others than those of ASCII stay.
+std::string lower_case(std::string text);
+
 /// The shortest text that reads back as the same number: "0.1", "1e-06".
 std::string number_text(double value);
 /// "(0.1, -2)": `count` numbers, each written by number_text().

@@ -75,21 +75,21 @@ class Product {
 
  private:
   char next() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-  void skip(char c) {
-    while (next() == c) ++at_;
+  void skip_blanks() {
+    while (next() == ' ') ++at_;
   }
   bool read_product(int sign) {
     if (!read_factor(sign)) return false;
     for (;;) {
       const std::size_t before = at_;
-      skip(' ');
+      skip_blanks();
       if (next() == '\0' || next() == ')') return true;
       const bool divides = next() == '/';
       if (divides || next() == '*')
         ++at_;
       else if (at_ == before)
         return false;
-      skip(' ');
+      skip_blanks();
       if (!read_factor(divides ? -sign : sign)) return false;
     }
   }

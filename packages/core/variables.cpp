@@ -68,10 +68,10 @@ void collect_words(const Teuchos::ParameterList& list, std::set<std::string>& wo
 
 Variables::Variables(const Teuchos::ParameterList& deck, const Sources& sources) {
   collect_words(deck, words_);
-  std::vector<std::string> sections;
-  for (auto it = deck.begin(); it != deck.end(); ++it)
-    if (deck.entry(it).isList()) sections.push_back(deck.name(it));
   if (!deck.isSublist(section_name)) {
+    std::vector<std::string> sections;
+    for (auto it = deck.begin(); it != deck.end(); ++it)
+      if (deck.entry(it).isList()) sections.push_back(deck.name(it));
     const std::string near = nearest(section_name, sections);
     if (!near.empty()) hint_ = "; is the section '" + near + "' meant to be 'variables'?";
     return;
@@ -243,20 +243,15 @@ void Variables::replace_formulas(Teuchos::ParameterList& deck, const Sources& so
         throw InputError(sources.at(full) + ": " + full + ": " + error.what());
       }
     }
-    if (path == section_name) deck.getEntry(name).getAny();  // a variable counts as read
   }
 }
 
-void Variables::refuse_unused(const Teuchos::ParameterList& deck, const Sources& sources) const {
-  if (!deck.isSublist(section_name)) return;
-  const Teuchos::ParameterList& variables = deck.sublist(section_name);
-  for (auto it = variables.begin(); it != variables.end(); ++it) {
-    const std::string path = join_path(section_name, variables.name(it)), &source = sources.at(path);
-    const bool overruled =
-        std::any_of(sources.begin(), sources.end(), [&](const auto& entry) { return apart(entry.second, source); });
-    if (words_.count(variables.name(it)) == 0 && !overruled)
-      throw InputError(source + ": " + path + ": no value names this variable (texts name it in braces, {" +
-                       variables.name(it) + "})");
+void Variables::refuse_unused(const Section& root) const {
+  const Section variables = root.section(section_name);
+  for (const std::string& name : variables.parameter_names()) {
+    if (words_.count(name) == 0 && !root.has_entries_apart(variables.source(name)))
+      variables.fail("no value names this variable (texts name it in braces, {" + name + "})", name);
+    variables.list().getEntry(name).getAny();  // now it counts as read
   }
 }
 

@@ -24,10 +24,9 @@ class Variables {
   /// line.
   void replace_formulas(Teuchos::ParameterList& deck, const Sources& sources, ValuesWithUnits& quantities,
                         const std::string& path = "") const;
-
   /// InputError for a variable that no value names. Decks of several files, or with settings, may overrule its uses;
-  /// they are not checked.
-  void refuse_unused(const Teuchos::ParameterList& deck, const Sources& sources) const;
+  /// they are not checked. All variables count as read afterwards.
+  void refuse_unused(const Section& root) const;
 
  private:
   struct Number {

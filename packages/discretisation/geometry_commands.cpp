@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
+
 namespace mudline {
 
 namespace {
@@ -309,7 +311,7 @@ GmshContent gmsh_content(const std::string& file) {
                        [&](unsigned char c) { return is(c) != 0; });
   };
   const bool one_case = all(std::islower) || all(std::isupper);  // Gmsh knows only these
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  extension = lower_case(extension);
   for (const char* model : {".step", ".stp", ".brep", ".iges", ".igs", ".stl"})
     if (one_case && extension == model) return GmshContent::data;
   if (extension == ".gz") return GmshContent::commands;  // Gmsh unpacks it by a program

@@ -1,5 +1,6 @@
 #include "simulation/history_output.hpp"
 
+#include "integrator/stepper.hpp"
 #include "simulation/balances.hpp"
 #include "simulation/error_output.hpp"
 #include "simulation/excess_pressure.hpp"

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/log.hpp"
+#include "integrator/stepper.hpp"
 #include "simulation/model.hpp"
 
 namespace mudline {

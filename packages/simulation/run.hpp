@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "integrator/stepper.hpp"
 #include "simulation/balances.hpp"
 #include "simulation/checkpoint.hpp"
 #include "simulation/error_output.hpp"

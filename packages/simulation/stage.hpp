@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "integrator/step_control.hpp"
-#include "integrator/stepper.hpp"
+#include "integrator/time_scheme.hpp"
 #include "simulation/registries.hpp"
 
 namespace mudline {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "input_error.hpp"
+
 namespace mudline {
 namespace {
 
@@ -52,7 +54,9 @@ TEST(SearchDocs, FindsKindsChoicesAndWordsOfTheTexts) {
   EXPECT_EQ(found("geostatic"), Lines{"type = geostatic, in biot (physics), initial state: how it starts"});
   EXPECT_EQ(found("grains").size(), 2) << "its summary and a parameter of it";
   EXPECT_EQ(found("the soil weight"), Lines{"gravity [m/s2], in biot (physics) and 1 more: weight of the soil"});
-  EXPECT_EQ(found("rains"), Lines{}) << "no part of a word";
+  EXPECT_EQ(input_error([] { found("rains"); }),
+            "nothing is called 'rains', and no text of the reference holds it; `mudline list` shows all types")
+      << "no part of a word";
 }
 
 TEST(SearchDocs, NamesComeBeforeTexts) {
@@ -63,8 +67,12 @@ TEST(SearchDocs, NamesComeBeforeTexts) {
 }
 
 TEST(SearchDocs, NothingIsFoundForOtherWords) {
-  EXPECT_EQ(found("xyzzy"), Lines{});
-  EXPECT_EQ(documented_names(docs()).size(), 12);
+  EXPECT_EQ(input_error([] { found("xyzzy"); }),
+            "nothing is called 'xyzzy', and no text of the reference holds it; `mudline list` shows all types");
+  EXPECT_EQ(input_error([] { found("fixd"); }),
+            "nothing is called 'fixd', and no text of the reference holds it (did you mean 'fixed'?)");
+  EXPECT_EQ(input_error([] { found("watr level"); }),
+            "nothing is called 'watr level', and no text of the reference holds it (did you mean 'water level'?)");
 }
 
 }  // namespace

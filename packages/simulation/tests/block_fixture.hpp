@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrator/stepper.hpp"
 #include "model_fixture.hpp"
 
 namespace mudline::testing {
