@@ -112,8 +112,9 @@ Command run_command(CLI::App& app) {
   add_deck_options(*command, run->deck);
   add_mesh_parts_option(*command, run->mesh_parts);
   add_commands_option(*command);
-  CLI::Option* restart = command->add_flag("--restart", run->restart,
-                                           "continue from the checkpoint that an earlier run of this deck left");
+  CLI::Option* restart = command->add_flag(
+      "--restart", run->restart,
+      "continue from the checkpoint that an earlier run of this deck left; start where there are no results");
   command
       ->add_flag("--accept-changes", run->accept_changes,
                  "go on although the model differs from that of the checkpoint, or results of before it are missing")

@@ -16,6 +16,7 @@
 #include "discretisation/agree.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/run.hpp"
+#include "simulation/run_start.hpp"
 
 namespace mudline::cli {
 
@@ -28,11 +29,14 @@ struct Loaded {
   std::unique_ptr<Section> root;
   std::unique_ptr<Model> model;
   OutputSettings output;
+  RunStart start;
   std::unique_ptr<Plausibility> plausibility;
   Observers observers;
 };
 
-std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {
+/// `restart`: the run has begun already.
+std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts,
+                             bool restart = false) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
   loaded->deck = deck;
@@ -51,6 +55,11 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
   check_deck(*loaded->model, *loaded->root);
+  agree(*comm, [&] {
+    const Section start = loaded->root->section("start");
+    loaded->start = RunStart::read(start, loaded->output.stem());
+    if (!restart) loaded->start.find(start);
+  });
   loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
   loaded->observers = read_observers(loaded->root->section("output"), loaded->registries.observers, *loaded->model);
   const std::vector<std::string> unused = loaded->root->unused();
@@ -74,7 +83,7 @@ void describe(const Model& model) {
 }  // namespace
 
 int run(const RunCommand& command) {
-  const auto loaded = load(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
+  const auto loaded = load(read_deck(command.deck), result_name(command.deck), command.mesh_parts, command.restart);
   describe(*loaded->model);
   loaded->plausibility->print();
   // the folder is made before the run, so that a wrong one is an error of the deck
@@ -84,6 +93,7 @@ int run(const RunCommand& command) {
   options.restart = command.restart;
   options.accept_changes = command.accept_changes;
   options.overwrite = command.overwrite;
+  options.start = loaded->start.checkpoint();
   options.maximum_steps = command.steps;
   const Origin origin{loaded->deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),

@@ -11,23 +11,31 @@
 #include "core/deck.hpp"
 #include "core/deck_changes.hpp"
 #include "core/log.hpp"
+#include "core/run_error.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
 #include "framework/dof_ids.hpp"
 #include "integrator/overlap.hpp"
+#include "simulation/output/atomic_file.hpp"
+#include "simulation/output/collective.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// Sections of the deck that may change between a run and its continuation.
-const char* const free_sections[] = {"variables", "stages", "solver", "output"};
+/// Sections of the deck that may change between a run and its continuation, and between a run and another one that
+/// starts from it.
+const char* const free_sections[] = {"variables", "stages", "start", "solver", "output"};
+const char* const free_at_start[] = {"functions", "boundary conditions"};
 
 /// Name in the checkpoint of the names and fingerprints of the files of the fields, a line each.
 const char* const field_marks = "field files";
 
 /// Name in the checkpoint of the mesh of the last remeshing: the number of bytes, and the bytes packed into integers.
 const char* const remeshed_mesh = "remeshed mesh";
+
+/// Beginning of the names in the checkpoint of what the ends of the present stage remember.
+const std::string stage_end = "stage end/";
 
 std::vector<long long> packed(const std::vector<char>& bytes) {
   std::vector<long long> result(1 + (bytes.size() + sizeof(long long) - 1) / sizeof(long long), 0);
@@ -199,7 +207,7 @@ std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
 
 }  // namespace
 
-void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progress& progress,
+void Checkpoint::write(const std::string& path, Model& model, const ExcessPressure& pressure, const Progress& progress,
                        const HistoryOutput& history, const FieldOutput& fields) const {
   const Comm& comm = *model.mesh().comm();
   CheckpointData data;
@@ -218,6 +226,8 @@ void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progr
   data.scalars["next dt"] = progress.next_dt;
   data.scalars["last dt"] = progress.last_dt;
   data.scalars["stage open"] = progress.stage_open;
+  data.scalars["stage over"] = progress.stage_over;
+  for (const auto& [name, largest] : progress.ends) data.scalars[stage_end + name] = largest;
   const HistoryMark& mark = history.mark();
   data.integers["history"] = {mark.rows, mark.bytes, static_cast<long long>(mark.fingerprint)};
   data.scalars["field steps"] = fields.num_steps();
@@ -226,15 +236,21 @@ void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progr
   if (model.ale() && model.ale()->remeshing()) data.scalars["remesh tried"] = progress.remesh_tried;
   if (model.remeshed())
     data.integers[remeshed_mesh] = comm.getRank() == 0 ? packed(model.remeshed()->bytes()) : std::vector<long long>();
-  CheckpointWriter(model.mesh().comm(), signature_of(model.mesh())).write(path_, data);
+  CheckpointWriter(model.mesh().comm(), signature_of(model.mesh())).write(path, data);
+}
+
+void Checkpoint::take_over(const std::string& by, const Comm& comm) const {
+  const std::string error =
+      agreed_message(raw_communicator(comm), comm.getRank() == 0 ? link_file(by, path_) : std::string());
+  if (!error.empty()) throw RunError("checkpoint '" + path_ + "': " + error);
 }
 
 std::shared_ptr<const RemeshedMesh> Checkpoint::open(const Mesh& mesh) {
   const Comm& comm = *mesh.comm();
   agree(comm, [&] {
     if (!std::filesystem::exists(path_))
-      throw InputError(path_ +
-                       ": there is no such checkpoint; --restart continues a run of the same deck that left one");
+      throw InputError(path_ + ": there is no such checkpoint" +
+                       (use_ == For::restart ? "; --restart continues a run of the same deck that left one" : ""));
   });
   const CheckpointReader reader(mesh.comm(), signature_of(mesh));
   const auto texts = reader.texts(path_);
@@ -266,29 +282,34 @@ void Checkpoint::read(Model& model, const ExcessPressure& pressure, Progress& pr
       throw InputError(path_ + ": " + error.what());
     }
   });
-  log::info("restart at t = " + std::to_string(model.store().committed().time) + " s, step " +
-            std::to_string(progress.step) + ", stage '" + model.stages()[progress.stage]->name + "'");
+  log::info((use_ == For::restart ? "restart at t = " : path_ + ": start at t = ") +
+            std::to_string(model.store().committed().time) + " s, step " + std::to_string(progress.step) + ", stage '" +
+            model.stages()[progress.stage]->name + "'");
 }
 
 void Checkpoint::refuse_or_warn(const std::string& difference) const {
   if (!accept_changes_)
     throw InputError(path_ + ": the checkpoint is that of another model: " + difference +
-                     " (--accept-changes goes on all the same)");
+                     (use_ == For::restart ? " (--accept-changes goes on all the same)" : ""));
   log::warn("going on from the checkpoint of another model: " + difference);
+}
+
+bool Checkpoint::may_change(const std::string& path) const {
+  const auto lies_here = [&](const char* section) { return lies_in(path, section); };
+  return std::any_of(std::begin(free_sections), std::end(free_sections), lies_here) ||
+         (use_ == For::start && std::any_of(std::begin(free_at_start), std::end(free_at_start), lies_here));
 }
 
 void Checkpoint::check_model() const {
   const Deck was = deck_of(old_deck_, path_), now = deck_of(origin_.deck, "deck");
   std::vector<DeckChange> changes = deck_changes(was.list(), now.list());
-  const auto may_change = [](const DeckChange& change) {
-    return std::any_of(std::begin(free_sections), std::end(free_sections),
-                       [&](const char* section) { return lies_in(change.path, section); });
-  };
-  changes.erase(std::remove_if(changes.begin(), changes.end(), may_change), changes.end());
+  changes.erase(
+      std::remove_if(changes.begin(), changes.end(), [&](const DeckChange& change) { return may_change(change.path); }),
+      changes.end());
   if (!changes.empty()) refuse_or_warn(one_line(changes));
 }
 
-void Checkpoint::check_stages(const Model& model, const Progress& progress) const {
+void Checkpoint::check_stages(const Model& model, Progress& progress) const {
   const Deck was = deck_of(old_deck_, path_), now = deck_of(origin_.deck, "deck");
   const std::vector<std::string> names = stage_names(was.list());
   const auto& stages = model.stages();
@@ -308,6 +329,7 @@ void Checkpoint::check_stages(const Model& model, const Progress& progress) cons
       const std::string stage = "stages/" + over[i];
       if (!lies_in(change.path, stage)) continue;
       const bool running = i == present;
+      if (running && lies_in(change.path, stage + "/ends when")) progress.stage_over = false;
       if ((change.path == stage + "/duration" && !running) || (change.path == stage + "/type"))
         throw InputError(change.text() + ", but that stage " + (running ? "has begun" : "is over"));
       if (!running) without_effect.push_back(change);
@@ -330,12 +352,18 @@ void Checkpoint::read_progress(Model& model, Progress& progress) const {
   progress.next_dt = scalar(data_, "next dt");
   progress.last_dt = scalar(data_, "last dt");
   progress.stage_open = counter(data_, "stage open", 1) == 1;
+  progress.stage_over = data_.scalars.count("stage over") > 0 && counter(data_, "stage over", 1) == 1;
+  for (const auto& [name, value] : data_.scalars)
+    if (name.compare(0, stage_end.size(), stage_end) == 0)
+      progress.ends[name.substr(stage_end.size())] = scalar(data_, name);
   if (data_.scalars.count("remesh tried")) progress.remesh_tried = counter(data_, "remesh tried", 2e9);
   if (model.store().committed().time < progress.stage_start && progress.stage_open)
     throw InputError("its time lies before the start of its stage");
   if (progress.stage_open && !(progress.next_dt > 0) &&
       model.stages()[std::min<std::size_t>(progress.stage, model.stages().size() - 1)]->type != Stage::Type::geostatic)
     throw InputError("the value 'next dt' = " + number_text(progress.next_dt) + " is impossible");
+  if (use_ == For::start && progress.stage == static_cast<int>(model.stages().size()))
+    throw InputError("the deck has no stage after that one");
   if (progress.stage >= static_cast<int>(model.stages().size()))
     throw InputError("the checkpoint stands in stage " + std::to_string(progress.stage + 1) + ", but the deck has " +
                      std::to_string(model.stages().size()) + " stages");

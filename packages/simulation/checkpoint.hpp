@@ -19,13 +19,21 @@ namespace mudline {
 /// a run before them, so that a restart drops what they write there.
 class Checkpoint {
  public:
-  /// `accept_changes`: a restart from another model is warned of, not refused.
-  Checkpoint(std::string stem, const Origin& origin, bool accept_changes)
-      : path_(std::move(stem) + ".restart"), origin_(origin), accept_changes_(accept_changes) {}
+  /// What goes on from it: the same run, or another one that starts at the end of one of its stages.
+  enum class For { restart, start };
 
-  /// Writes it; the old one stays until the new one is complete. RunError on every rank alike. Collective.
-  void write(Model& model, const ExcessPressure& pressure, const Progress& progress, const HistoryOutput& history,
-             const FieldOutput& fields) const;
+  /// `accept_changes`: a restart from another model is warned of, not refused.
+  Checkpoint(std::string path, For use, const Origin& origin, bool accept_changes)
+      : path_(std::move(path)), use_(use), origin_(origin), accept_changes_(accept_changes) {}
+
+  const std::string& path() const { return path_; }
+
+  /// Writes it to `path`; the old one stays until the new one is complete. RunError on every rank alike. Collective.
+  void write(const std::string& path, Model& model, const ExcessPressure& pressure, const Progress& progress,
+             const HistoryOutput& history, const FieldOutput& fields) const;
+
+  /// Makes the complete checkpoint `by` this one too. RunError on every rank alike. Collective.
+  void take_over(const std::string& by, const Comm& comm) const;
 
   /// Compares its deck with the run's. Returns the mesh of the last remeshing; null: the deck's. InputError, on every
   /// rank alike, when the checkpoint is missing, damaged, or that of another run. Collective.
@@ -38,13 +46,17 @@ class Checkpoint {
   void restore_solver(StepSystem& system) const;
 
  private:
+  /// Whether an entry of the deck may have changed since.
+  bool may_change(const std::string& path) const;
   /// Throws InputError for a difference from the checkpoint's model unless the user accepts it; then it warns.
   void refuse_or_warn(const std::string& difference) const;
   void check_model() const;
-  void check_stages(const Model& model, const Progress& progress) const;
+  /// Checks that the stages so far are those of the deck. A stage goes on whose ends have changed.
+  void check_stages(const Model& model, Progress& progress) const;
   void read_progress(Model& model, Progress& progress) const;
 
   std::string path_;
+  For use_;
   const Origin& origin_;
   bool accept_changes_;
   std::string old_deck_;  // of open()

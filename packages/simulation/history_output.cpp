@@ -29,8 +29,11 @@ void HistoryOutput::end_run(const RunView& run, RunEnd end) {
 }
 
 void HistoryOutput::write_due_row(const RunView& run) {
-  if (!due_) return;
+  if (due_) file_->write(run.state.time, row(run));
   due_ = false;
+}
+
+std::vector<HistoryValue> HistoryOutput::row(const RunView& run) const {
   std::vector<HistoryValue> row{{"step/dt", "s", run.dt},
                                 {"step/newton iterations", "-", static_cast<double>(run.solve.newton_iterations)}};
   for (const auto& [name, body] : run.model.bodies()) {
@@ -52,7 +55,7 @@ void HistoryOutput::write_due_row(const RunView& run) {
     row.push_back(value);
   for (const HistoryValue& value : run.balances.values()) row.push_back(value);
   for (const HistoryValue& value : state_sums(run.model)) row.push_back(value);
-  file_->write(run.state.time, row);
+  return row;
 }
 
 }  // namespace mudline

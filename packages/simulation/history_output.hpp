@@ -23,6 +23,8 @@ class HistoryOutput : public Observer {
   void go_on(const HistoryRestart& restart) { restart_ = restart; }
   /// Length of the file so far, for a checkpoint.
   const HistoryMark& mark() const { return file_->mark(); }
+  /// The columns after a step but its time. Collective.
+  std::vector<HistoryValue> row(const RunView& run) const;
 
   /// Opens the file.
   void begin_run(const RunView& run) override;

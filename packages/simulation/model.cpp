@@ -20,8 +20,9 @@ namespace mudline {
 
 const std::vector<std::string>& deck_sections() {
   static const std::vector<std::string> names{
-      "variables", "mesh",        "functions", "materials", "physics", "bodies",       "boundary conditions",
-      "contacts",  "mesh motion", "stages",    "solver",    "output",  "plausibility", "plugins"};
+      "variables", "mesh",        "functions", "materials", "physics", "bodies", "boundary conditions",
+      "contacts",  "mesh motion", "stages",    "start",     "solver",  "output", "plausibility",
+      "plugins"};
   return names;
 }
 
@@ -246,6 +247,11 @@ void Model::read_stages(const Section& deck, const Registries& registries) {
   for (const auto& [name, contact] : contacts_) contacts.push_back(name);
   for (const Section& entry : collection(section)) {
     stages_.push_back(Stage::read(entry, registries.integrators, conditions, contacts));
+    for (const Section& end : collection(entry.section("ends when"))) {
+      stages_.back()->ends.push_back(registries.stage_ends.create(end));
+      stages_.back()->ends.back()->name = end.name();
+      guarded(end, "type", "it cannot end the stage", [&] { stages_.back()->ends.back()->bind(*this, end); });
+    }
     if (stages_.back()->control.error_tolerance > 0 && !TimeError::has_meaning(*space_, stages_.back()->scheme(0)))
       entry.section("time step")
           .fail(

@@ -10,6 +10,7 @@
 #include "core/log.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/field_file.hpp"
+#include "simulation/run_start.hpp"
 
 namespace mudline {
 
@@ -64,6 +65,11 @@ std::string replace(const std::string& stem, const Origin& origin, bool overwrit
 
 }  // namespace
 
+bool has_results(const Teuchos::Comm<int>& comm, const std::string& stem) {
+  const bool here = exists(stem + ".restart") || exists(stem + ".csv") || exists(stem + ".h5");
+  return !broadcast(raw_communicator(comm), here ? "yes" : "").empty();
+}
+
 void make_room(const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const std::string& stem, const Origin& origin,
                bool overwrite) {
   const bool root = comm->getRank() == 0;
@@ -71,8 +77,10 @@ void make_room(const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const std::st
   if (!error.empty()) throw InputError(error);
   std::error_code ignored;
   // the fields are removed when the new ones begin
-  for (const char* ending : {".csv", ".restart"})
-    if (root) std::filesystem::remove(stem + ending, ignored);
+  if (!root) return;
+  for (const char* ending : {".csv", ".restart"}) std::filesystem::remove(stem + ending, ignored);
+  for (const std::string& stage : checkpointed_stages(stem))
+    std::filesystem::remove(stage_checkpoint(stem, stage), ignored);
 }
 
 }  // namespace mudline

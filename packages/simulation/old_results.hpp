@@ -14,6 +14,9 @@ struct Origin {
   std::string program;    // "mudline 0.12.0"
 };
 
+/// Whether there are results under `stem`, or a part of them. Collective.
+bool has_results(const Teuchos::Comm<int>& comm, const std::string& stem);
+
 /// Makes room for the results of a new run under `stem`. Results of an earlier run of the same deck (the same file, or
 /// the same content) are removed, and a line says so. InputError when they are those of another or an unknown deck,
 /// unless `overwrite`. Collective.

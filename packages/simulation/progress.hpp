@@ -1,5 +1,7 @@
 #pragma once
 
+#include "simulation/stage_end.hpp"
+
 namespace mudline {
 
 /// Where a run stands; together with the committed state it makes a restart exact.
@@ -9,6 +11,8 @@ struct Progress {
   int step = 0;                                      // of the run, the geostatic ones among them
   double stage_start = 0, next_dt = 0, last_dt = 0;  // [s]
   bool stage_open = false;                           // the stage has begun
+  bool stage_over = false;                           // one of its ends is reached
+  StageEndMemory ends;                               // of the present stage
   int remesh_tried = 0;                              // step after which remeshing was last tried
 };
 

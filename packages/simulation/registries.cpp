@@ -6,6 +6,7 @@
 #include "integrator/step_control.hpp"
 #include "simulation/output_settings.hpp"
 #include "simulation/plugin.hpp"
+#include "simulation/run_start.hpp"
 #include "simulation/stage.hpp"
 
 namespace mudline {
@@ -25,6 +26,7 @@ void register_all(Registries& r) {
   register_interior_motions(r.interior_motions);
   register_remaps(r.remaps);
   register_time_integrators(r.integrators);
+  register_stage_ends(r.stage_ends);
   register_linear_solvers(r.linear_solvers);
   register_point_tests(r.point_tests);
 }
@@ -83,6 +85,9 @@ std::vector<EntryDoc> document_all(const Registries& r) {
                        [](Parameters& p) { Stage::document(p); }));
   docs.push_back(fixed("time step", "size of a stage's steps", [](Parameters& p) { StepControl().parameters(p); }));
   append(docs, r.integrators);
+  append(docs, r.stage_ends);
+  docs.push_back(fixed("start", "the end of a stage of another run, from which this one goes on; absent: a new start",
+                       [](Parameters& p) { RunStart().parameters(p); }));
   docs.push_back(fixed("solver", "tolerances of the steps", [](Parameters& p) {
     StepTolerances().parameters(p);
     NewtonOptions newton;

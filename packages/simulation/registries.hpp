@@ -13,6 +13,7 @@
 #include "materials/register_materials.hpp"
 #include "physics/register.hpp"
 #include "simulation/observer.hpp"
+#include "simulation/stage_end.hpp"
 
 namespace mudline {
 
@@ -34,6 +35,7 @@ struct Registries {
   Registry<InteriorMotion> interior_motions{"mesh motion"};
   Registry<Remap> remaps{"remap"};
   Registry<TimeIntegrator> integrators{"integrator"};
+  Registry<StageEnd> stage_ends{"stage end"};
   Registry<LinearSolver> linear_solvers{"linear solver"};
   Registry<PointTest> point_tests{"test"};
   Registry<Observer> observers{"observer"};

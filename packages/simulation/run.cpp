@@ -15,6 +15,7 @@
 #include "simulation/initial_rates.hpp"
 #include "simulation/mesh_watch.hpp"
 #include "simulation/progress_log.hpp"
+#include "simulation/run_start.hpp"
 #include "simulation/step_report.hpp"
 #include "simulation/wall_dissipation.hpp"
 
@@ -53,19 +54,29 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
       settings_(settings),
       origin_(origin),
       options_(options),
-      checkpoint_(stem_, origin_, options.accept_changes) {
+      checkpoint_(stem_ + ".restart", Checkpoint::For::restart, origin_, options.accept_changes) {
   make_observers(std::move(watchers));
   take_model(std::move(model));
   std::filesystem::create_directories(settings_.folder);
   lock_ = std::make_unique<ResultLock>(model_->mesh().comm(), settings_.stem());
+  if (options_.restart && !has_results(*model_->mesh().comm(), stem_)) {
+    log::info("there are no results " + stem_ + " to continue yet: the run starts");
+    options_.restart = false;
+  }
   if (options_.restart) {
-    if (const auto remeshed = checkpoint_.open(model_->mesh())) take_model(make_model_(remeshed));
-    checkpoint_.read(*model_, *pressure_, progress_);
+    go_on_from(checkpoint_);
     checkpoint_.resume(model_->store().committed().time, *history_, *fields_);
     return;
   }
+  Checkpoint start(options_.start, Checkpoint::For::start, origin_, false);
+  if (!options_.start.empty()) go_on_from(start);
   make_room(model_->mesh().comm(), settings_.stem(), origin_, options_.overwrite);
-  take_start();
+  if (options_.start.empty()) take_start();
+}
+
+void Run::go_on_from(Checkpoint& checkpoint) {
+  if (const auto remeshed = checkpoint.open(model_->mesh())) take_model(make_model_(remeshed));
+  checkpoint.read(*model_, *pressure_, progress_);
 }
 
 void Run::make_observers(Observers watchers) {
@@ -96,7 +107,7 @@ void Run::take_model(std::unique_ptr<Model> model) {
 
 RunView Run::view(bool resumed) const {
   const State& state = model_->store().committed();
-  const bool at_end = state.time >= (progress_.stage_start + stage().duration) * (1 - 1e-12);
+  const bool at_end = progress_.stage_over || state.time >= (progress_.stage_start + stage().duration) * (1 - 1e-12);
   return {*model_,        state,
           stage(),        resumed,
           at_end,         progress_.stage_start,
@@ -119,7 +130,26 @@ void Run::tell_step(const StepReport& solve) {
   solve_ = solve;
   const RunView now = view();
   tell([&](Observer& observer) { observer.report(now, report_); });
+  const auto& stages = model_->stages();
+  const auto may_end = [](const auto& stage) { return !stage->ends.empty(); };
+  if (!ends_checked_ ? std::any_of(stages.begin(), stages.end(), may_end) : !stage().ends.empty())
+    look_at_ends(history_->row(now));
+  ends_checked_ = true;
   tell(&Observer::step);
+}
+
+void Run::check_ends(const std::vector<HistoryValue>& row) const {
+  for (const auto& stage : model_->stages())
+    for (const auto& end : stage->ends) end->check(row);
+}
+
+void Run::look_at_ends(const std::vector<HistoryValue>& row) {
+  if (!ends_checked_ && !row.empty()) check_ends(row);
+  const std::string why = stage_end_reached(view(), row, progress_.ends);
+  if (why.empty()) return;
+  progress_.stage_over = true;
+  log::info("  stage '" + stage().name + "' ends at t " + told(model_->store().committed().time, "%.6g s") + ", " +
+            why);
 }
 
 bool Run::observers_object() {
@@ -166,6 +196,8 @@ bool Run::begin_stage(const Stage& stage) {
   }
   log::info("stage '" + stage.name + "'");
   progress_.stage_open = true;
+  progress_.stage_over = false;
+  progress_.ends.clear();
   progress_.step_in_stage = 0;
   progress_.stage_start = model_->store().committed().time;
   progress_.next_dt = stage.control.initial;
@@ -181,6 +213,7 @@ bool Run::begin_stage(const Stage& stage) {
   InitialRates(*model_, stage, before).give(request(stage, stage.control.initial));
   balances_->jump([&] { model_->start_bodies(stage); });
   report_ = report_of_contacts(*model_);
+  look_at_ends({});
   tell(&Observer::begin_stage);
   return true;
 }
@@ -345,7 +378,21 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   if (settings_.checkpoint_steps > 0 && progress_.step % settings_.checkpoint_steps == 0) save_checkpoint();
 }
 
-void Run::save_checkpoint() { checkpoint_.write(*model_, *pressure_, progress_, *history_, *fields_); }
+void Run::save_checkpoint() {
+  checkpoint_.write(checkpoint_.path(), *model_, *pressure_, progress_, *history_, *fields_);
+}
+
+void Run::save_stage(bool last) {
+  const std::string file = stage_checkpoint(stem_, stage().name);
+  progress_.stage_open = false;
+  ++progress_.stage;
+  checkpoint_.write(file, *model_, *pressure_, progress_, *history_, *fields_);
+  --progress_.stage;
+  if (last)
+    progress_.stage_open = true;
+  else
+    checkpoint_.take_over(file, *model_->mesh().comm());
+}
 
 void Run::end(RunEnd how) {
   const RunView now = view();
@@ -358,8 +405,8 @@ void Run::save_and_end(RunEnd how) {
 }
 
 ExitCode Run::run_stage() {
-  const double duration = stage().duration, end_tolerance = 1e-9 * duration;
-  while (model_->store().committed().time < progress_.stage_start + duration - end_tolerance) {
+  const double end = progress_.stage_start + stage().duration * (1 - 1e-9);
+  while (!progress_.stage_over && model_->store().committed().time < end) {
     if (options_.maximum_steps > 0 && steps_here_ >= options_.maximum_steps) {
       save_and_end(RunEnd::interrupted);
       log::info("stopped after " + std::to_string(steps_here_) + " steps; continue with --restart");
@@ -397,9 +444,8 @@ ExitCode Run::run_stage() {
 ExitCode Run::execute() {
   tell(&Observer::begin_run, options_.restart);
   const int stages = static_cast<int>(model_->stages().size());
-  // after a restart between two stages the terms of the stage before are active already and do not start anew
-  if (options_.restart && !progress_.stage_open && progress_.stage > 0)
-    model_->activate(*model_->stages()[progress_.stage - 1], false);
+  // where the run goes on between two stages the terms of the stage before are active already and do not start anew
+  if (!progress_.stage_open && progress_.stage > 0) model_->activate(*model_->stages()[progress_.stage - 1], false);
   for (; progress_.stage < stages; ++progress_.stage) {
     const Stage& stage = this->stage();
     if (!begin_stage(stage)) {
@@ -415,18 +461,19 @@ ExitCode Run::execute() {
     } else {
       const double duration = stage.duration;
       const ExitCode exit = run_stage();  // remeshing replaces the stages by others of the same names
-      const bool complete = model_->store().committed().time >= progress_.stage_start + duration * (1 - 2e-9);
+      const bool complete =
+          progress_.stage_over || model_->store().committed().time >= progress_.stage_start + duration * (1 - 2e-9);
       if (exit != ExitCode::done || !complete) return exit;
+      if (!progress_.stage_over && !this->stage().ends.empty())
+        log::warn("stage '" + this->stage().name + "' ends with its duration of " + told(duration, "%.6g s") +
+                  ": nothing of its 'ends when' was reached");
       tell(&Observer::end_stage);
       if (this->stage().reset_displacements) reset_displacements();
     }
     const bool last = progress_.stage + 1 == stages;
+    save_stage(last);
     // the checkpoint of the last stage is written below with the stage open, so that a restart may prolong it
     if (last) break;
-    progress_.stage_open = false;
-    ++progress_.stage;
-    save_checkpoint();
-    --progress_.stage;
   }
   check_foreign_code();
   save_and_end(RunEnd::done);

@@ -23,7 +23,8 @@ namespace mudline {
 enum class ExitCode { done = 0, failure = 1, input_error = 2, no_convergence = 3, stopped = 4 };
 
 struct RunOptions {
-  bool restart = false;         // continue from the checkpoint of the same name
+  bool restart = false;         // continue from the checkpoint of the same name, if there are results
+  std::string start = {};       // checkpoint of another run to start from; "": a new start
   bool accept_changes = false;  // restart even if the model differs or earlier results are missing
   bool overwrite = false;       // replace results of another deck
   int maximum_steps = 0;        // stop after so many accepted steps of this run, with a checkpoint; 0: no limit
@@ -78,6 +79,10 @@ class Run {
   RunView view(bool resumed = false) const;
   void tell(const std::function<void(Observer&)>& action);
   void tell(void (Observer::*event)(const RunView&), bool resumed = false);
+  /// Looks whether one of the stage's ends is reached, after a step or, with no columns, when the stage begins.
+  void look_at_ends(const std::vector<HistoryValue>& row);
+  /// Checks what ends the stages against the columns of the history. InputError.
+  void check_ends(const std::vector<HistoryValue>& row) const;
   /// Tells the observers of an accepted step, after they have added to its report. Collective.
   void tell_step(const StepReport& solve);
   /// Tells the observers that the run ends; with a checkpoint before.
@@ -85,6 +90,10 @@ class Run {
   void save_and_end(RunEnd how);
   bool stop_requested() const;
   void save_checkpoint();
+  /// Saves the end of the present stage, from which other runs may start.
+  void save_stage(bool last);
+  /// Makes the model and the state those of a checkpoint.
+  void go_on_from(Checkpoint& checkpoint);
 
   std::unique_ptr<Model> model_;
   ModelMaker make_model_;
@@ -106,6 +115,7 @@ class Run {
   Report report_;     // report of the last accepted step
   StepReport solve_;  // likewise, its iterations
   int steps_here_ = 0;
+  bool ends_checked_ = false;
   int rejected_ = 0;
   TransferLog transfers_;
 };

@@ -12,7 +12,8 @@ void Stage::parameters(Parameters& p) {
            "geostatic: equilibrium of given stresses and pore pressures, displacements reset; quasi-static: no "
            "inertia; dynamic");
   if (p.documenting() || type != Type::geostatic)
-    p.required("duration", duration, "s", positive(), "time the stage lasts (a geostatic stage takes none)");
+    p.required("duration", duration, "s", positive(),
+               "time the stage lasts, at most where it has 'ends when' (a geostatic stage takes none)");
   p.add("conditions", wanted_conditions_, "names of the boundary conditions that act; absent: all; {none}: none");
   p.add("contacts", wanted_contacts_,
         "names of the contacts that act; absent: all in dynamic and quasi-static stages; {none}: none");
@@ -33,6 +34,9 @@ void Stage::parameters(Parameters& p) {
         "geostatic: the run ends with an error when equilibrium needs larger displacements than this; 0: no limit");
   p.passes_on("integrator", "time integrator; see the integrator types");
   p.passes_on("time step", "size of the steps");
+  p.passes_on(
+      "ends when",
+      "what ends the stage before its duration, by name: the first one that is reached; see the stage end types");
   p.passes_on("motions",
               "motions of bodies, by name, that hold in this stage instead of their own; see the motion types");
 }
@@ -70,7 +74,8 @@ std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIn
     stage->duration = 0;
     stage->reset_displacements = true;
     if (section.has_section("integrator")) section.fail("a geostatic stage has no integrator", "integrator");
-    if (section.has_section("time step")) section.fail("a geostatic stage takes no time and has no steps", "time step");
+    for (const char* entry : {"time step", "ends when"})
+      if (section.has_section(entry)) section.fail("a geostatic stage takes no time and has no steps", entry);
     return stage;
   }
   const bool dynamic = stage->type == Type::dynamic;

@@ -7,6 +7,7 @@
 #include "integrator/step_control.hpp"
 #include "integrator/time_scheme.hpp"
 #include "simulation/registries.hpp"
+#include "simulation/stage_end.hpp"
 
 namespace mudline {
 
@@ -27,7 +28,8 @@ class Stage {
 
   std::string name;
   Type type = Type::quasi_static;
-  double duration = 1;  // [s]
+  double duration = 1;                          // [s]
+  std::vector<std::unique_ptr<StageEnd>> ends;  // read by the model; the first one that is reached ends the stage
   StepControl control;
   std::vector<std::string> conditions;  // names of the active ones, in deck order
   std::vector<std::string> contacts;

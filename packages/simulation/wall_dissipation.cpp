@@ -145,7 +145,7 @@ void WallDissipation::end_stage(const RunView& run) {
     const bool rested = length(body.position(run.state) - position) < 0.01 * width;
     if (!rested || !(now.area > 0) || !(before > 0) || now.pressure >= before) continue;
     char text[300];
-    const double way = std::sqrt(now.diffusivity * run.stage.duration);
+    const double way = std::sqrt(now.diffusivity * (run.state.time - run.stage_start));
     const bool coarse = now.thickness > finest * std::min(width, way);
     if (coarse)
       std::snprintf(

@@ -33,6 +33,16 @@ def with_variables(name, variables, value, message, at, **where):
                         (GEOSTATIC, parameter("surcharge", "double", value))], message, at=at, **where)
 
 
+PUSHED = parameter("duration", "double", "0.001")
+
+
+def with_end(name, entries, message, at, **where):
+    """The deck with something that ends the push early."""
+    end = section("ends when") + section("enough") + "\n" + "".join(parameter(*entry) + "\n" for entry in entries) + \
+        "</ParameterList></ParameterList>\n"
+    return Wrong(name, (PUSHED, PUSHED + end), message, at=at, **where)
+
+
 MUD_TOP = parameter("top", "double", "{}")
 
 
@@ -75,6 +85,25 @@ DECKS = [
                    "variables/a: the variable is defined by itself: a, by b, by a", 'name="a" type="double"'),
     with_variables("variable of another unit", [("size", "double", "20 cm")], "size",
                    "physics/ground/initial state/surcharge: '20 cm' is no value in Pa", 'value="size"', ranks=BOTH),
+    with_end("end without a type", (), "stages/push/ends when/enough: required parameter 'type' is missing; known stage end types: at rest, "
+             "dissipated, history", section("enough")),
+    with_end("end of another name", [("type", "string", "at rst")],
+             "stages/push/ends when/enough/type: unknown stage end type 'at rst' (did you mean 'at rest'?); known types: at rest, dissipated, history",
+             parameter("type", "string", "at rst")),
+    with_end("end at rest of no body", [("type", "string", "at rest"), ("body", "string", "bal"), ("speed", "double", "1 mm/s")],
+             "stages/push/ends when/enough/body: unknown body 'bal' (did you mean 'ball'?)", parameter("body", "string", "bal")),
+    with_end("end at rest at no speed", [("type", "string", "at rest"), ("body", "string", "ball"), ("speed", "double", "0")],
+             "stages/push/ends when/enough/speed: 0 is out of range; allowed: (0, inf)", parameter("speed", "double", "0")),
+    with_end("end by more than all", [("type", "string", "dissipated"), ("share", "double", "90")],
+             "stages/push/ends when/enough/share: 90 is out of range; allowed: (0, 1)", parameter("share", "double", "90")),
+    with_end("end by a column without a value", [("type", "string", "history"), ("column", "string", "mesh/quality")],
+             "stages/push/ends when/enough: needs one of 'rises to', 'falls to' and 'falls by'", section("enough")),
+    with_end("end by a column with two values", [("type", "string", "history"), ("column", "string", "mesh/quality"), ("rises to", "double", "1"),
+                                                 ("falls by", "double", "0.1")],
+             "stages/push/ends when/enough: needs one of 'rises to', 'falls to' and 'falls by'; it has 'rises to' and 'falls by'",
+             section("enough")),
+    Wrong("end of a geostatic stage", (section("geostatic"), section("geostatic") + section("ends when") + "</ParameterList>"),
+          "stages/geostatic/ends when: a geostatic stage takes no time and has no steps", at=section("ends when")),
     Wrong("value of another unit", (GEOSTATIC, parameter("surcharge", "double", "20 kN")),
           "physics/ground/initial state/surcharge: '20 kN' is no value in Pa"),
     Wrong("unit by another name", (GEOSTATIC, parameter("surcharge", "double", "20 kpa")),

@@ -239,8 +239,11 @@ class Restart(Answering):
     def test_restart(self):
         self.write("deck.xml", BASE)
         missing = "there is no such checkpoint; --restart continues a run of the same deck that left one"
+        os.makedirs(os.path.join(self.folder, "results"))
+        self.write("results/deck.csv", "results without a checkpoint")
         for ranks in (1, 2):
             self.answer(["run", "-q", "deck.xml", "--restart"], f"error: results/deck.restart: {missing}", ranks)
+        os.remove(os.path.join(self.folder, "results", "deck.csv"))
         self.assertEqual(program(["run", "-q", "deck.xml", "--steps", "2"], folder=self.folder).returncode, 0)
         restart = ["run", "-q", "deck.xml", "--restart"]
         for ranks in (1, 2):

@@ -23,4 +23,13 @@ std::string rename_file(const std::string& from, const std::string& to) {
   return error ? "cannot rename '" + from + "' to '" + to + "': " + error.message() : "";
 }
 
+std::string link_file(const std::string& from, const std::string& to) {
+  const std::string temporary = to + ".part";
+  std::error_code error;
+  std::filesystem::remove(temporary, error);
+  std::filesystem::create_hard_link(from, temporary, error);
+  if (error) std::filesystem::copy_file(from, temporary, error);
+  return error ? "cannot copy '" + from + "' to '" + temporary + "': " + error.message() : rename_file(temporary, to);
+}
+
 }  // namespace mudline

@@ -1,0 +1,70 @@
+#include "simulation/run_start.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/errors.hpp"
+
+namespace mudline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string ending = ".restart";
+
+}  // namespace
+
+std::string stage_checkpoint(const std::string& stem, const std::string& stage) { return stem + "@" + stage + ending; }
+
+std::vector<std::string> checkpointed_stages(const std::string& stem) {
+  std::vector<std::string> stages;
+  std::error_code ignored;
+  const fs::path place(stem);
+  const std::string begin = place.filename().string() + "@";
+  for (fs::directory_iterator file(place.has_parent_path() ? place.parent_path() : ".", ignored), end; file != end;
+       file.increment(ignored)) {
+    const std::string name = file->path().filename().string();
+    if (name.size() < begin.size() + ending.size() || name.compare(0, begin.size(), begin) != 0 ||
+        file->path().extension() != ending)
+      continue;
+    stages.push_back(name.substr(begin.size(), name.size() - begin.size() - ending.size()));
+  }
+  std::sort(stages.begin(), stages.end());
+  return stages;
+}
+
+void RunStart::parameters(Parameters& p) {
+  p.required("from", from_,
+             "results and the stage after which the run goes on, 'results/pile@push'; relative to where the program is "
+             "started. The deck describes the stages up to it as they were");
+}
+
+RunStart RunStart::read(const Section& section, const std::string& own_stem) {
+  RunStart start;
+  if (section.parameter_names().empty() && section.section_names().empty()) return start;
+  Parameters p(section);
+  start.parameters(p);
+  p.finish();
+  const std::size_t at = start.from_.rfind('@');
+  if (at == std::string::npos || at == 0 || at + 1 == start.from_.size())
+    section.fail("expected results and a stage, 'results/pile@push', given '" + start.from_ + "'", "from");
+  start.stem_ = start.from_.substr(0, at);
+  start.stage_ = start.from_.substr(at + 1);
+  std::error_code ignored;
+  if (fs::weakly_canonical(start.stem_, ignored) == fs::weakly_canonical(own_stem, ignored))
+    section.fail("'" + start.stem_ + "' are the results of this run itself: give it another output/name", "from");
+  start.checkpoint_ = stage_checkpoint(start.stem_, start.stage_);
+  return start;
+}
+
+void RunStart::find(const Section& section) const {
+  std::error_code ignored;
+  if (checkpoint_.empty() || fs::exists(checkpoint_, ignored)) return;
+  const std::vector<std::string> stages = checkpointed_stages(stem_);
+  if (stages.empty()) section.fail("there are no results '" + stem_ + "' with the end of a stage", "from");
+  section.fail("the results '" + stem_ + "' have no end of a stage '" + stage_ + "'" + suggestion(stage_, stages),
+               "from");
+}
+
+}  // namespace mudline

@@ -1,0 +1,151 @@
+"""What ends a stage before its duration is over, and runs that start at the end of a stage of another run."""
+import math
+import os
+import unittest
+
+import numpy as np
+import restart_test
+from mudline_case import ROOT, History, deck_text
+from restart_test import RestartCase, settings
+
+TERZAGHI = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
+BASE = "probe/base/pore pressure"
+# first steps long enough for the elements at the drained surface: the pressures there do not oscillate
+COLUMN = settings("mesh/cells={1, 20}", *(f"stages/consolidation/time step/{name}={value}" for name, value in (
+    ("initial", 0.1), ("growth", 1.2), ("maximum", 2))))
+ANCHOR = [restart_test.ANCHOR, *settings("mesh/cells={6, 5}")]
+
+
+class Ends(RestartCase):
+    def ends(self, stage, **entries):
+        """An overlay that gives the stage one end."""
+        return self.write("ends.xml", deck_text("ends", {"stages": {stage: {"ends when": {"enough": entries}}}}))
+
+    def consolidation(self, *more, ranks=1, **entries):
+        """The history of Terzaghi's column up to an end of its stage."""
+        self.runs(TERZAGHI, self.ends("consolidation", **entries), *COLUMN, *more, ranks=ranks)
+        return History(self.result("terzaghi", ".csv"))
+
+    def test_share_of_excess_pressure(self):
+        for ranks in (1, 2):
+            column = self.consolidation("--overwrite", type="dissipated", share=0.8, ranks=ranks)
+            share = column[BASE] / column[BASE].max()
+            self.assertLessEqual(share[-1], 0.2)
+            self.assertGreater(share[-2], 0.2)
+            # the deck lasts for a time factor of 1; Terzaghi's first term is exact here to 1e-7
+            expected = 4 / math.pi**2 * math.log(4 / math.pi / 0.2) * 833.3333333333333
+            self.assertLess(abs(column.time[-1] / expected - 1), 5e-3)
+
+    def test_column_falls(self):
+        in_kilopascal = settings("stages/consolidation/ends when/enough/falls to=3.5e-3 kPa")
+        for entries, more, limit in (({"falls to": 1.0}, in_kilopascal, 3.5), ({"falls by": 0.5}, [], None)):
+            column = self.consolidation("--overwrite", *more, type="history", column=BASE, **entries)
+            pressure = column[BASE]
+            self.assertLessEqual(pressure[-1], limit or 0.5 * pressure.max())
+            self.assertGreater(pressure[-2], limit or 0.5 * pressure.max())
+
+    def test_column_rises(self):
+        column = self.consolidation(type="history", column="probe/top/displacement y", **{"rises to": -1.0})
+        self.assertEqual(len(column.time), 1)
+
+    def test_what_it_remembers_survives_a_restart(self):
+        whole = self.consolidation(type="dissipated", share=0.6).data
+        deck = [TERZAGHI, os.path.join(self.folder, "ends.xml"), *COLUMN]
+        self.runs(*deck, "--steps", "50")
+        self.runs(*deck, "--restart")
+        self.assertTrue(np.array_equal(History(self.result("terzaghi", ".csv")).data, whole))
+        # a run that is over stays so, unless its end is another one
+        self.runs(*deck, "--restart")
+        self.assertTrue(np.array_equal(History(self.result("terzaghi", ".csv")).data, whole))
+        self.runs(*deck, "--restart", *settings("stages/consolidation/ends when/enough/share=0.7"))
+        self.assertGreater(len(History(self.result("terzaghi", ".csv")).time), len(whole))
+
+    def test_body_at_rest(self):
+        rest = self.ends("fall", type="at rest", body="anchor", speed=0.01)
+        done = self.mudline(*ANCHOR, rest, *settings("stages/fall/duration=10", "output/name=anchor"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        anchor = History(self.result("anchor", ".csv"))
+        last = int(np.argmax(anchor["step/dt"] > 0.1)) - 1  # the stage without inertia that follows takes longer steps
+        speed = np.abs(anchor["body/anchor/velocity y"])
+        self.assertLess(speed[last], 0.01)
+        self.assertTrue((speed[1:last] >= 0.01).all())
+        self.assertLess(anchor.time[last], 1)
+        self.assertAlmostEqual(anchor.time[-1], anchor.time[last] + 20040, delta=1e-6)
+
+    def test_nothing_is_reached(self):
+        done = self.runs(TERZAGHI, *COLUMN, self.ends("consolidation", type="dissipated", share=0.99))
+        self.assertIn("warning: stage 'consolidation' ends with its duration of 833.333 s: nothing of its 'ends when' was reached",
+                      done.stderr)
+
+    def test_column_that_is_not(self):
+        for column, expected in (("probe/base/pore presure", " (did you mean 'probe/base/pore pressure'?)"),
+                                 ("x", "; the first line of the .csv names them")):
+            deck = self.ends("consolidation", type="history", column=column, **{"rises to": 1.0})
+            self.refused(f"stages/consolidation/ends when/enough/column: '{column}' is no column of the history{expected}", TERZAGHI, deck)
+        deck = self.ends("consolidation", type="history", column=BASE, **{"rises to": 1.0})
+        entry = "stages/consolidation/ends when/enough/rises to"
+        self.refused(entry + ": '1 kN' is no value in Pa", TERZAGHI, deck, "--set", entry + "=1 kN")
+
+
+class Start(RestartCase):
+    """A run that starts at the end of a stage of another one is the rest of a run that has both."""
+
+    def setUp(self):
+        super().setUp()
+        self.runs(*ANCHOR, *settings("output/name=anchor"))
+        self.whole = History(self.result("anchor", ".csv"))
+
+    def branch(self, stage, *more, ranks=1):
+        self.runs(*ANCHOR, *settings("output/name=branch", f"start/from=results/anchor@{stage}"), *more, ranks=ranks)
+        return History(self.result("branch", ".csv"))
+
+    def test_is_the_rest(self):
+        for stage in ("geostatic", "fall", "dissipation"):
+            rest = self.branch(stage)
+            self.assertEqual(rest.header, self.whole.header)
+            self.assertLess(len(rest.data), len(self.whole.data))
+            self.assertTrue(np.array_equal(rest.data, self.whole.data[-len(rest.data):]), stage)
+        # as it is in turn for another one, and for its own continuation
+        self.runs(*ANCHOR, *settings("output/name=branch", "start/from=results/anchor@geostatic"), "--steps", "5")
+        self.runs(*ANCHOR, *settings("output/name=branch", "start/from=results/anchor@geostatic"), "--restart")
+        self.runs(*ANCHOR, *settings("output/name=twig", "start/from=results/branch@dissipation"))
+        twig = History(self.result("twig", ".csv"))
+        self.assertTrue(np.array_equal(twig.data, self.whole.data[-len(twig.data):]))
+
+    def test_other_ranks(self):
+        rest = self.branch("dissipation", ranks=2)
+        force = next(name for name in rest.columns if name.startswith("contact/") and name.endswith("/reaction y"))
+        expected = self.whole[force][-len(rest.data):]
+        self.assertLess(np.abs(rest[force] - expected).max(), 1e-6 * np.abs(expected).max())
+
+    def test_another_way_on(self):
+        short = self.branch("fall", *settings("stages/dissipation/duration=2000"))
+        self.assertAlmostEqual(short.time[-1], self.whole.time[-1] - 18000, delta=1e-6)
+
+    def test_refused(self):
+        branch = [*ANCHOR, "--set", "output/name=branch", "--set"]
+        for start, expected in (
+                ("results/anchor@fal", "have no end of a stage 'fal' (did you mean 'fall'?)"),
+                ("results/other@fall", "there are no results 'results/other' with the end of a stage"),
+                ("results/branch@fall", "'results/branch' are the results of this run itself: give it another output/name"),
+                ("results/anchor", "expected results and a stage, 'results/pile@push', given 'results/anchor'")):
+            self.refused("start/from: " + ("the results 'results/anchor' " if "fal'" in expected else "") + expected, *branch,
+                         "start/from=" + start)
+        fall = [*branch, "start/from=results/anchor@fall"]
+        self.refused("stages/fall/duration: 0.2, was 0.1, but that stage is over", *fall, *settings("stages/fall/duration=0.2"))
+        self.refused("another model: materials/soil/porosity: 0.4, was 0.5", *fall, *settings("materials/soil/porosity=0.4"))
+        self.refused("the deck has no stage after that one", *branch, "start/from=results/anchor@pull-out")
+
+    def test_restart_where_nothing_is_yet(self):
+        chain = [*ANCHOR, *settings("output/name=chain"), "--restart", "--steps"]
+        for _ in range(2):
+            self.runs(*chain, "10")
+        rows = History(self.result("chain", ".csv")).data
+        self.assertEqual(len(rows), 21)  # the geostatic stage is no step
+        self.assertTrue(np.array_equal(rows, self.whole.data[:21]))
+        os.remove(self.result("chain", ".restart"))
+        self.refused("results/chain.restart: there is no such checkpoint", *chain, "10")
+
+
+if __name__ == "__main__":
+    unittest.main()
