@@ -121,6 +121,21 @@ void check_parts(const Model& model, const Section& deck, const MeshParts& parts
                                 ": no displacement is prescribed on it and no contact has a surface of it");
 }
 
+/// Refuses supports in stages in which the mesh moves: their forces belong to nodes.
+void check_in_situ(const Model& model, const Section& deck) {
+  if (model.ale() == nullptr) return;
+  for (const auto& stage : model.stages())
+    for (const auto& condition : model.conditions())
+      if (stage->type != Stage::Type::geostatic && stage->mesh_motion && condition->supports() &&
+          std::find(stage->conditions.begin(), stage->conditions.end(), condition->name) != stage->conditions.end())
+        deck.section("stages")
+            .section(stage->name)
+            .fail("'" + condition->name +
+                      "' holds nodes, which must not move against the soil: leave it out of this stage, or give the "
+                      "stage 'mesh motion' = false",
+                  "conditions");
+}
+
 /// Refuses stages without inertia in which something is free to move.
 void check_supports(Model& model, const Section& deck, const MeshParts& parts) {
   if (!model.soil()) return;
@@ -226,6 +241,7 @@ void check_error_estimate(const Model& model, const OutputSettings& output, cons
 void check_deck(Model& model, const Section& deck) {
   check_contradictions(model, deck);
   check_motions(model, deck);
+  check_in_situ(model, deck);
   if (model.space().find("displacement") >= 0) {
     const MeshParts parts = mesh_parts(model.mesh());
     check_parts(model, deck, parts);

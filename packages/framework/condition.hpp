@@ -39,6 +39,9 @@ class Condition {
   /// under what stays active, by overlap dof; zero where the stage prescribes the unknown. A condition that takes a
   /// force from it sets the entry to zero (owned dofs are enough), so that no other condition takes the same force.
   virtual void activate(const State& committed, const NodalView& unbalanced) {}
+  /// Whether its force balances everything that acts when its stage begins, new loads too: it is then activated after
+  /// the other conditions, with the residual of all other terms.
+  virtual bool supports() const { return false; }
   /// Adds this rank's share of the reactions at the prescribed unknowns, "reaction/<name> x". The same names in every
   /// call; nodes that two conditions share count in both.
   virtual void reactions(const NodalView& reaction, Report& shares) const {}

@@ -309,29 +309,40 @@ void Model::activate(const Stage& stage, bool fresh) {
     changed_motions_.insert(name);
     if (fresh) body->restart_clock(store_->committed());
   }
-  std::set<std::string> names(stage.conditions.begin(), stage.conditions.end());
-  std::vector<Term*> loads;
-  for (const auto& condition : conditions_)
-    if (names.count(condition->name) && condition->term()) loads.push_back(condition->term());
+  const std::set<std::string> names(stage.conditions.begin(), stage.conditions.end());
+  const auto loads = [&](const std::function<bool(Condition&)>& wanted) {
+    std::vector<Term*> result = active;
+    for (const auto& condition : conditions_)
+      if (condition->term() && names.count(condition->name) && wanted(*condition)) result.push_back(condition->term());
+    return result;
+  };
   if (fresh) {
-    // The forces on the newly active conditions' sets are the residual of all terms that stay active.
-    std::vector<Term*> staying = active;
-    for (const auto& condition : conditions_)
-      if (condition->term() && names.count(condition->name) && active_conditions_.count(condition->name))
-        staying.push_back(condition->term());
-    system_->activate(staying);
-    const NodalView unbalanced = system_->static_residual();
-    Constraints held(static_cast<int>(unbalanced.extent(0)));
-    prescribe(stage, store_->committed().time, store_->committed().time, store_->committed(), held);
-    for (std::size_t i = 0; i < unbalanced.extent(0); ++i)
-      if (held.mask(i)) unbalanced(i) = 0;
-    for (const auto& condition : conditions_)
-      if (names.count(condition->name) && !active_conditions_.count(condition->name))
-        condition->activate(store_->committed(), unbalanced);
+    const auto is_new = [&](const Condition& condition) { return active_conditions_.count(condition.name) == 0; };
+    // the forces on the sets of newly active conditions are the residual of all terms that stay active; supports take
+    // the new loads too
+    activate_conditions(stage, loads([&](Condition& condition) { return !is_new(condition); }),
+                        [&](Condition& condition) { return is_new(condition) && !condition.supports(); });
+    const auto new_support = [&](Condition& condition) { return is_new(condition) && condition.supports(); };
+    activate_conditions(stage, loads([&](Condition& condition) { return !new_support(condition); }), new_support);
   }
-  active.insert(active.end(), loads.begin(), loads.end());
-  system_->activate(active);
+  system_->activate(loads([](Condition&) { return true; }));
   active_conditions_ = names;
+}
+
+void Model::activate_conditions(const Stage& stage, const std::vector<Term*>& acting,
+                                const std::function<bool(Condition&)>& wanted) {
+  std::vector<Condition*> chosen;
+  for (const std::string& name : stage.conditions)
+    for (const auto& condition : conditions_)
+      if (condition->name == name && wanted(*condition)) chosen.push_back(condition.get());
+  if (chosen.empty()) return;
+  system_->activate(acting);
+  const NodalView unbalanced = system_->static_residual();
+  Constraints held(static_cast<int>(unbalanced.extent(0)));
+  prescribe(stage, store_->committed().time, store_->committed().time, store_->committed(), held);
+  for (std::size_t i = 0; i < unbalanced.extent(0); ++i)
+    if (held.mask(i)) unbalanced(i) = 0;
+  for (Condition* condition : chosen) condition->activate(store_->committed(), unbalanced);
 }
 
 std::shared_ptr<const BodyMotion> Model::motion_in(const Stage& stage, const std::string& name) const {

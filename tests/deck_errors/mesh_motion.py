@@ -34,6 +34,12 @@ DECKS = [
           "mesh motion/lowest quality: 1.5 is out of range; allowed: (0, 1)"),
     Wrong("focus", boundary(parameter("focus", "string", "bal"), parameter("size near focus", "double", "0.1")),
           "mesh motion/boundary/focus: unknown body 'bal' (did you mean 'ball'?)", ranks=BOTH),
+    Wrong("support of a mesh that moves", [
+        motion(""), (section("boundary conditions"), section("boundary conditions") + section("hole") + parameter("type", "string", "in-situ support") +
+                     parameter("set", "string", "top") + "</ParameterList>"),
+        ('value="{base, axis, far side, drained surface, surcharge}"', 'value="{base, axis, far side, drained surface, surcharge, hole}"')],
+        "stages/push/conditions: 'hole' holds nodes, which must not move against the soil: leave it out of this stage, or give the stage "
+        "'mesh motion' = false", at='surcharge, hole}"', ranks=BOTH),
     Wrong("focus without size", boundary(parameter("focus", "string", "ball")),
           "mesh motion/boundary/size near focus: must be positive where a focus is given"),
     Wrong("corner set", boundary(parameter("corners", "Array(string)", "{edge}")),

@@ -37,27 +37,6 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
   soil_ = context.shared.find<Soil>();
   if (!soil_) section.fail("an absorbing boundary needs a physics with soil", "type");
   for (const Part& part : parts_) impedance_.emplace_back("impedance", part.block.sides, 2);
-  field_ = space_->find(field_name());
-}
-
-void AbsorbingBoundary::declare_state(StateStore& store) {
-  store_ = &store;
-  std::vector<StateVariable> force;
-  for (int i = 0; i < dimension(); ++i)
-    force.push_back({std::string("held force ") + axis_names[i], 1, "N", Transfer::total});
-  ArrayInfo info = ArrayInfo::at_nodes("absorbing/" + Condition::name, force, space_->mesh(), set_).not_shown();
-  nodes_ = info.nodes;
-  held_ = store.declare(std::move(info));
-}
-
-void AbsorbingBoundary::activate(const State& committed, const NodalView& unbalanced) {
-  // The constant force balances the part of the soil's force on the boundary that no other condition has taken yet.
-  for (std::size_t row = 0; row < nodes_.size(); ++row)
-    for (int i = 0; i < dimension(); ++i) {
-      double& taken = unbalanced(dof_of(row, i));
-      store_->committed().arrays[held_](row, i) = -taken;
-      taken = 0;
-    }
 }
 
 void AbsorbingBoundary::begin(const StepView& view) {
@@ -89,8 +68,7 @@ int AbsorbingBoundary::residual(const StepView& view, const ResidualView& f) {
     add_side_residual(geometry(), block, side_level(view, block, view.x_old), Dashpots{{}, block.points, impedance_[p]},
                       f);
   }
-  for (std::size_t row = 0; row < nodes_.size(); ++row)
-    for (int i = 0; i < dimension(); ++i) f.add(dof_of(row, i), view.committed->arrays[held_](row, i), 0);
+  held_.add(view, f);
   return 0;
 }
 

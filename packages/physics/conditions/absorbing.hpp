@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "physics/conditions/held_forces.hpp"
 #include "physics/conditions/side_terms.hpp"
 #include "physics/soil.hpp"
 
@@ -17,8 +18,8 @@ class AbsorbingBoundary : public SideLoad {
   void bind(const ConditionContext& context, const Section& section) override;
   bool may_hold() override { return false; }
   std::string holds() const override { return set_; }
-  void activate(const State& committed, const NodalView& unbalanced) override;
-  void declare_state(StateStore& store) override;
+  void activate(const State&, const NodalView& unbalanced) override { held_.take(unbalanced); }
+  void declare_state(StateStore& store) override { held_.declare(store, name(), *space_, set_, Transfer::total); }
   void begin(const StepView& view) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
@@ -30,12 +31,8 @@ class AbsorbingBoundary : public SideLoad {
   int columns() const override { return 0; }  // the dashpots act on the committed configuration
   std::shared_ptr<Soil> soil_;
   double normal_factor_ = 1, tangential_factor_ = 1;
-  int dof_of(std::size_t row, int axis) const { return space_->node_dof(field_)(nodes_[row]) + axis; }
   std::vector<PointView> impedance_;  // by part: (side, normal and tangential) rho c [Pa s/m]
-  int field_ = -1;                    // whose dofs the forces act on
-  int held_ = -1;                     // state array: (node of the set, axis) constant force [N]
-  std::vector<int> nodes_;            // by row: owned nodes of the set
-  StateStore* store_ = nullptr;
+  HeldForces held_;
 };
 
 }  // namespace mudline

@@ -1,4 +1,5 @@
 #include "physics/conditions/absorbing.hpp"
+#include "physics/conditions/in_situ_support.hpp"
 #include "physics/conditions/prescribed.hpp"
 #include "physics/conditions/side_terms.hpp"
 #include "physics/register.hpp"
@@ -16,6 +17,9 @@ void register_conditions(Registry<Condition>& registry) {
   registry.add<Traction>("traction", "force per current area in fixed directions");
   registry.add<SurfacePressure>("pressure", "pressure that follows the current surface");
   registry.add<NormalFlux>("flux", "prescribed outward flux of a scalar field, by default the discharge of pore water");
+  registry.add<InSituSupport>("in-situ support",
+                              "holds a set as it is when it becomes active: along a hole in the initial state, until a "
+                              "stage without it");
   registry.add<AbsorbingBoundary>("absorbing", "viscous boundary that lets waves leave; holds the static reaction");
 }
 
