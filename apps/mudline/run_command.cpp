@@ -34,9 +34,7 @@ struct Loaded {
   Observers observers;
 };
 
-/// `restart`: the run has begun already.
-std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts,
-                             bool restart = false) {
+std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
   loaded->deck = deck;
@@ -55,11 +53,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
   check_deck(*loaded->model, *loaded->root);
-  agree(*comm, [&] {
-    const Section start = loaded->root->section("start");
-    loaded->start = RunStart::read(start, loaded->output.stem());
-    if (!restart) loaded->start.find(start);
-  });
+  agree(*comm, [&] { loaded->start = RunStart::read(loaded->root->section("start"), loaded->output.stem()); });
   loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
   loaded->observers = read_observers(loaded->root->section("output"), loaded->registries.observers, *loaded->model);
   const std::vector<std::string> unused = loaded->root->unused();
@@ -83,11 +77,13 @@ void describe(const Model& model) {
 }  // namespace
 
 int run(const RunCommand& command) {
-  const auto loaded = load(read_deck(command.deck), result_name(command.deck), command.mesh_parts, command.restart);
+  const auto loaded = load(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
   describe(*loaded->model);
   loaded->plausibility->print();
+  const Comm& comm = *loaded->model->mesh().comm();
+  if (!command.restart) agree(comm, [&] { loaded->start.find(loaded->root->section("start")); });
   // the folder is made before the run, so that a wrong one is an error of the deck
-  agree(*loaded->model->mesh().comm(), [&] { loaded->output.make_folder(loaded->root->section("output")); });
+  agree(comm, [&] { loaded->output.make_folder(loaded->root->section("output")); });
   catch_signals();
   RunOptions options;
   options.restart = command.restart;
@@ -126,6 +122,8 @@ int check_one(const DeckOptions& options, const std::string& mesh_parts) {
   std::string stages;
   for (const auto& stage : loaded->model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;
   log::info("stages: " + stages);
+  if (const std::string& from = loaded->start.checkpoint(); !from.empty())
+    log::info("it starts from " + from + (std::filesystem::exists(from) ? "" : ", which is not there yet"));
   log::info("the deck is valid");
   return 0;
 }

@@ -174,6 +174,7 @@ class MeshRecipe {
   const Section& section() const { return section_; }
   const ContactSets& contacts() const { return contacts_; }
   const MeshSource& source() const { return *source_; }
+  MeshSource& source() { return *source_; }
   /// Makes and checks the whole mesh; only one rank needs to call it. Throws InputError.
   GlobalMesh make() const;
 

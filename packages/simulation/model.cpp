@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bodies/penetration_mesh.hpp"
 #include "core/entry.hpp"
 #include "core/guarded.hpp"
 #include "core/log.hpp"
@@ -64,7 +65,10 @@ void call_physics(const Section& entry, Action&& action) {
 }  // namespace
 
 MeshRecipe mesh_recipe(const Section& deck, const Registries& registries) {
-  return {registries.mesh_sources, required_section(deck, "mesh"), contact_sets(deck)};
+  MeshRecipe recipe(registries.mesh_sources, required_section(deck, "mesh"), contact_sets(deck));
+  if (auto* around_body = dynamic_cast<PenetrationMesh*>(&recipe.source()))
+    around_body->take_body(deck.section("bodies"), registries.contours);
+  return recipe;
 }
 
 void Model::read_mesh(RCP<const Comm> comm, const Section& deck, const Registries& registries,

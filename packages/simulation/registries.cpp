@@ -1,6 +1,7 @@
 #include "simulation/registries.hpp"
 
 #include "ale/ale.hpp"
+#include "bodies/penetration_mesh.hpp"
 #include "core/function_types.hpp"
 #include "geometry/path_shape.hpp"
 #include "integrator/step_control.hpp"
@@ -13,6 +14,7 @@ namespace mudline {
 
 void register_all(Registries& r) {
   register_mesh_sources(r.mesh_sources);
+  r.mesh_sources.add<PenetrationMesh>("penetration", "plane soil around a body in the ground, or under one above it");
   register_materials(r.skeletons, r.fluids, r.permeabilities);
   register_properties(r.properties);
   register_physics(r.physics);

@@ -49,7 +49,7 @@ class Dissipated : public StageEnd {
                "of the highest excess pore pressure of the stage: 0.9 ends it where a tenth is left");
   }
   void bind(const Model& model, const Section& section) override {
-    if (model.space().find("pore pressure") < 0) section.fail("the model has no pore pressure", "type");
+    if (!model.soil() || model.soil()->pressure < 0) section.fail("the model has no pore pressure", "type");
   }
   double measure(const RunView& run, const std::vector<HistoryValue>&) const override {
     const NodalView excess = run.pressure.values();

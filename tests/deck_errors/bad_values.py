@@ -43,6 +43,14 @@ def with_end(name, entries, message, at, **where):
     return Wrong(name, (PUSHED, PUSHED + end), message, at=at, **where)
 
 
+def around_body(name, body, message, at, more="", **where):
+    """The deck with a mesh around a body in place of the box."""
+    mesh = "".join(parameter(*entry) + "\n" for entry in (
+        ("type", "string", "penetration"), ("geometry", "string", "axisymmetric"), ("body", "string", body), ("width", "double", "0.3"),
+        ("depth", "double", "0.3"), ("size near body", "double", "0.02")))
+    return Wrong(name, (whole("mesh"), section("mesh") + "\n" + mesh + more + "</ParameterList>"), message, at=at, **where)
+
+
 MUD_TOP = parameter("top", "double", "{}")
 
 
@@ -102,6 +110,10 @@ DECKS = [
                                                  ("falls by", "double", "0.1")],
              "stages/push/ends when/enough: needs one of 'rises to', 'falls to' and 'falls by'; it has 'rises to' and 'falls by'",
              section("enough")),
+    around_body("mesh around no body", "bal", "mesh/body: unknown body 'bal' (did you mean 'ball'?)", parameter("body", "string", "bal"), ranks=BOTH),
+    around_body("mesh around a body with sides that are too small", "ball",
+                "mesh/size near body: 0.02 is more than the largest size, 0.01", parameter("size near body", "double", "0.02"),
+                more=parameter("largest size", "double", "0.01")),
     Wrong("end of a geostatic stage", (section("geostatic"), section("geostatic") + section("ends when") + "</ParameterList>"),
           "stages/geostatic/ends when: a geostatic stage takes no time and has no steps", at=section("ends when")),
     Wrong("value of another unit", (GEOSTATIC, parameter("surcharge", "double", "20 kN")),
@@ -180,7 +192,7 @@ DECKS = [
           at=section("physics"), ranks=BOTH),
     Wrong("no upper corner", without(UPPER), "mesh: required parameter 'upper' is missing", at=section("mesh")),
     Wrong("no type", without("    " + parameter("type", "string", "box") + "\n"),
-          "mesh: required parameter 'type' is missing; known mesh types: box, gmsh, extruded, revolved", at=section("mesh")),
+          "mesh: required parameter 'type' is missing; known mesh types: box, gmsh, extruded, revolved, penetration", at=section("mesh")),
     Wrong("no pores", (parameter("void ratio", "double", "1.2"), parameter("porosity", "double", "0")),
           "materials/clay/porosity: a saturated soil has pores: must be greater than 0"),
     Wrong("no void ratio", without(parameter("void ratio", "double", "1.2")),

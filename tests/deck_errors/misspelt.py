@@ -10,7 +10,7 @@ DECKS = [
           "geometry: unknown parameter; none is allowed here"),
     Wrong("mesh parameter", ('name="cell"', 'name="cel"'), "mesh/cel: unknown parameter (did you mean 'cell'?)"),
     Wrong("mesh type", ('value="box"', 'value="bax"'),
-          "mesh/type: unknown mesh type 'bax' (did you mean 'box'?); known types: box, gmsh, extruded, revolved"),
+          "mesh/type: unknown mesh type 'bax' (did you mean 'box'?); known types: box, gmsh, extruded, revolved, penetration"),
     Wrong("cell shape", ('value="quad9"', 'value="quad8"'), "mesh/cell: 'quad8' is not a choice (did you mean 'quad9'?)"),
     Wrong("function type", ('value="table"', 'value="tabel"'),
           "functions/load history/type: unknown function type 'tabel' (did you mean 'table'?); known types: table, expression, constant"),

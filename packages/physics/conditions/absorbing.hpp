@@ -19,7 +19,9 @@ class AbsorbingBoundary : public SideLoad {
   bool may_hold() override { return false; }
   std::string holds() const override { return set_; }
   void activate(const State&, const NodalView& unbalanced) override { held_.take(unbalanced); }
-  void declare_state(StateStore& store) override { held_.declare(store, name(), *space_, set_, Transfer::total); }
+  void declare_state(StateStore& store) override {
+    held_.declare(store, name(), *space_, space_->find(field_name()), set_, Transfer::total);
+  }
   void begin(const StepView& view) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;

@@ -2,11 +2,11 @@
 
 namespace mudline {
 
-void HeldForces::declare(StateStore& store, const std::string& name, const Space& space, const std::string& set,
-                         Transfer rule) {
+void HeldForces::declare(StateStore& store, const std::string& name, const Space& space, int field,
+                         const std::string& set, Transfer rule) {
   space_ = &space;
   store_ = &store;
-  field_ = space.find("displacement");
+  field_ = field;
   std::vector<StateVariable> force;
   for (int i = 0; i < space.mesh().dimension(); ++i)
     force.push_back({std::string("held force ") + axis_names[i], 1, "N", rule});

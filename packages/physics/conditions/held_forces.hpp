@@ -12,8 +12,10 @@ namespace mudline {
 /// Constant forces at the nodes of a set, which hold what they found there. The state keeps them.
 class HeldForces {
  public:
-  /// Declares the state array `name`, of (node of the set, axis) [N], and its rule of transfer.
-  void declare(StateStore& store, const std::string& name, const Space& space, const std::string& set, Transfer rule);
+  /// Declares the state array `name`, of (node of the set, axis) [N], and its rule of transfer. `field`: number of the
+  /// displacement.
+  void declare(StateStore& store, const std::string& name, const Space& space, int field, const std::string& set,
+               Transfer rule);
   /// Takes the forces that balance `unbalanced`, a residual by overlap dof, and sets it to zero at the nodes.
   void take(const NodalView& unbalanced);
   /// Adds the forces of the step's start to a residual.

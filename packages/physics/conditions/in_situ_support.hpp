@@ -15,7 +15,7 @@ class InSituSupport : public SideLoad {
   bool supports() const override { return true; }
   void declare_state(StateStore& store) override {
     // the mesh does not move in the stages in which it acts
-    held_.declare(store, name(), *space_, set_, Transfer::nearest);
+    held_.declare(store, name(), *space_, space_->find(field_name()), set_, Transfer::nearest);
   }
   void activate(const State&, const NodalView& unbalanced) override { held_.take(unbalanced); }
   int residual(const StepView& view, const ResidualView& f) override;
