@@ -52,10 +52,10 @@ double PathCurve::interpolate(const std::vector<double>& values, double s) const
 
 CurveMeasure::CurveMeasure(const PathCurve& curve, const SizeField& size)
     : CurveMeasure(
-          curve, [&](double s) { return size(curve.at(s)); }, 8 * curve.points()) {}
+          curve.length(), [&](double s) { return size(curve.at(s)); }, 8 * curve.points()) {}
 
-CurveMeasure::CurveMeasure(const PathCurve& curve, const std::function<double(double s)>& size, int samples) {
-  step_ = curve.length() / samples;
+CurveMeasure::CurveMeasure(double length, const std::function<double(double s)>& size, int samples) {
+  step_ = length / samples;
   sum_.push_back(0);
   double before = 1 / size(0);
   for (int i = 1; i <= samples; ++i) {
@@ -76,6 +76,19 @@ double CurveMeasure::place(double measure) const {
   const int k =
       std::clamp(static_cast<int>(std::upper_bound(sum_.begin(), sum_.end(), measure) - sum_.begin()) - 1, 0, last);
   return step_ * (k + (measure - sum_[k]) / (sum_[k + 1] - sum_[k]));
+}
+
+std::vector<double> divided(double length, const std::function<double(double s)>& size, int parts) {
+  double smallest = 1e300;
+  for (int i = 0; i <= 8 * parts; ++i) smallest = std::min(smallest, size(length * i / (8 * parts)));
+  constexpr double per_side = 8, most = 1e5;  // samples
+  const CurveMeasure measure(length, size,
+                             static_cast<int>(std::clamp(per_side * length / smallest, 8.0 * (parts + 1), most)));
+  const int sides = std::max(1, static_cast<int>(std::lround(measure.total())));
+  std::vector<double> s{0};
+  for (int k = 1; k < sides; ++k) s.push_back(measure.place(k * measure.total() / sides));
+  s.push_back(length);
+  return s;
 }
 
 }  // namespace mudline

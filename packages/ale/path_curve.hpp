@@ -34,8 +34,8 @@ using SizeField = std::function<double(const Point&)>;
 class CurveMeasure {
  public:
   CurveMeasure(const PathCurve& curve, const SizeField& size);
-  /// `size`: by the place s along the curve; `samples`: number of intervals of the quadrature.
-  CurveMeasure(const PathCurve& curve, const std::function<double(double s)>& size, int samples);
+  /// `length` [m] of the curve; `size`: by the place s along it; `samples`: number of intervals of the quadrature.
+  CurveMeasure(double length, const std::function<double(double s)>& size, int samples);
   double total() const { return sum_.back(); }
   double at(double s) const;
   /// The place s [m] at which this measure is reached.
@@ -45,5 +45,9 @@ class CurveMeasure {
   double step_;
   std::vector<double> sum_;
 };
+
+/// Places s [m] of the ends of the sides that divide a curve, as many and as long as `size` [m] asks. `parts`: into so
+/// many the size is smooth.
+std::vector<double> divided(double length, const std::function<double(double s)>& size, int parts);
 
 }  // namespace mudline

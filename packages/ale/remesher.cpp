@@ -224,20 +224,11 @@ DividedPath Remesher::divided(std::size_t p, const Positions& x, const State& st
   const PathPlaces places(boundary_, path, x, state);
   const PathCurve& curve = places.curve();
   const int last = static_cast<int>(path.nodes.size()) - 1;
-  std::vector<double> s{0};  // of the new vertices [m]
-  if (path.material) {
-    for (int i = path.stride; i <= last; i += path.stride) s.push_back(curve.parameter(i));
-  } else {
-    const auto size = wanted(p, curve, state, sizes);
-    double smallest = 1e300;
-    for (int i = 0; i <= 8 * last; ++i) smallest = std::min(smallest, size(curve.length() * i / (8 * last)));
-    constexpr double per_side = 8, most = 1e5;  // samples
-    const CurveMeasure measure(
-        curve, size, static_cast<int>(std::clamp(per_side * curve.length() / smallest, 8.0 * (last + 1), most)));
-    const int sides = std::max(1, static_cast<int>(std::lround(measure.total())));
-    for (int k = 1; k < sides; ++k) s.push_back(measure.place(k * measure.total() / sides));
-    s.push_back(curve.length());
-  }
+  std::vector<double> s;  // of the new vertices [m]
+  if (path.material)
+    for (int i = 0; i <= last; i += path.stride) s.push_back(curve.parameter(i));
+  else
+    s = mudline::divided(curve.length(), wanted(p, curve, state, sizes), last);
   DividedPath result;
   const int sides = static_cast<int>(s.size()) - 1;
   for (int v = 0; v <= sides; ++v) {

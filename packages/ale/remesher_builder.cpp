@@ -15,7 +15,6 @@ namespace mudline {
 namespace {
 
 using Place = Vec<double, 2>;
-using Ends = SimplexMesh::Ends;
 
 double twice_area(const std::vector<int>& loop, const std::vector<Place>& x) {
   double sum = 0;
@@ -170,13 +169,7 @@ void PlaneBuilder::find_regions() {
 }
 
 void PlaneBuilder::name_sets() {
-  std::map<Ends, GlobalMesh::Side> sides;  // directed, by vertices
-  for (std::size_t b = 0; b < simplices_.cells().size(); ++b)
-    for (std::size_t e = 0; e < simplices_.cells()[b].size(); ++e)
-      for (int s = 0; s < 3; ++s) {
-        const auto& t = simplices_.cells()[b][e];
-        sides[{t[s], t[(s + 1) % 3]}] = {static_cast<int>(b), static_cast<long long>(e), s};
-      }
+  const std::map<SimplexMesh::Ends, GlobalMesh::Side> sides = simplices_.sides();
   for (const auto& [name, unused] : plan_.mesh().side_sets()) mesh_.side_sets[name];
   for (std::size_t p = 0; p < paths_.size(); ++p)
     for (std::size_t k = 0; k + 1 < chains_[p].size(); ++k) {

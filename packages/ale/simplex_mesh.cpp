@@ -70,4 +70,13 @@ GlobalMesh SimplexMesh::number() {
   return mesh;
 }
 
+std::map<SimplexMesh::Ends, GlobalMesh::Side> SimplexMesh::sides() const {
+  std::map<Ends, GlobalMesh::Side> result;
+  for (std::size_t b = 0; b < cells_.size(); ++b)
+    for (std::size_t e = 0; e < cells_[b].size(); ++e)
+      for (int s = 0; s < 3; ++s)
+        result[{cells_[b][e][s], cells_[b][e][(s + 1) % 3]}] = {static_cast<int>(b), static_cast<long long>(e), s};
+  return result;
+}
+
 }  // namespace mudline

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,8 @@ class SimplexMesh {
 
   /// `blocks`: of the old mesh; the new one has the same regions and shapes.
   explicit SimplexMesh(const std::vector<ElementBlock>& blocks);
+  /// A mesh of one region.
+  SimplexMesh(const std::string& region, CellShape shape) : blocks_{{region, shape, {}}}, cells_(1) {}
   void add(int block, const Corners& corners) { cells_[block].push_back(corners); }
   /// Sets the place of an edge's mid-side node [m]; that of other edges is halfway between their ends.
   void bend(int a, int b, const Point& middle) { curved_[ascending(a, b)] = middle; }
@@ -31,6 +34,8 @@ class SimplexMesh {
   const std::vector<std::vector<Corners>>& cells() const { return cells_; }
   long long node(int vertex) const { return nodes_.at(vertex); }
   long long middle(int a, int b) const { return mid_side_nodes_.at(ascending(a, b)); }
+  /// In the plane: the sides of all cells, by their vertices in the direction that has the cell on the left.
+  std::map<Ends, GlobalMesh::Side> sides() const;
 
  private:
   static Ends ascending(int a, int b) { return {std::min(a, b), std::max(a, b)}; }

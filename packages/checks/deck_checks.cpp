@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "checks/setup.hpp"
 #include "checks/supports.hpp"
 #include "core/entry.hpp"
 #include "core/text.hpp"
@@ -25,9 +26,7 @@ void check_contradictions(const Model& model, const Section& deck) {
       std::vector<double> value(n, 0.0);
       std::string problem, second;
       for (std::size_t c = 0; c < model.conditions().size(); ++c) {
-        if (std::find(stage->conditions.begin(), stage->conditions.end(), model.conditions()[c]->name) ==
-            stage->conditions.end())
-          continue;
+        if (!Setup::acts(model.conditions()[c]->name, *stage)) continue;
         Constraints mine(n);
         model.conditions()[c]->prescribe(t_old, t_end, model.store().committed(), mine);
         for (int i = 0; i < n; ++i) {
@@ -127,7 +126,7 @@ void check_in_situ(const Model& model, const Section& deck) {
   for (const auto& stage : model.stages())
     for (const auto& condition : model.conditions())
       if (stage->type != Stage::Type::geostatic && stage->mesh_motion && condition->supports() &&
-          std::find(stage->conditions.begin(), stage->conditions.end(), condition->name) != stage->conditions.end())
+          Setup::acts(condition->name, *stage))
         deck.section("stages")
             .section(stage->name)
             .fail("'" + condition->name +
@@ -144,11 +143,9 @@ void check_supports(Model& model, const Section& deck, const MeshParts& parts) {
   bool pressed_in = false;
   for (const auto& stage : model.stages()) {
     const bool dynamic = stage->type == Stage::Type::dynamic;
-    const bool plugin_may_hold =
-        std::any_of(model.conditions().begin(), model.conditions().end(), [&](const auto& condition) {
-          const auto& names = stage->conditions;
-          return condition->may_hold() && std::find(names.begin(), names.end(), condition->name) != names.end();
-        });
+    const bool plugin_may_hold = std::any_of(
+        model.conditions().begin(), model.conditions().end(),
+        [&](const auto& condition) { return condition->may_hold() && Setup::acts(condition->name, *stage); });
     const std::string problem = dynamic || plugin_may_hold ? "" : supports.missing(*stage, time, pressed_in);
     if (!problem.empty())
       deck.section("stages")

@@ -207,7 +207,7 @@ std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
 
 }  // namespace
 
-void Checkpoint::write(const std::string& path, Model& model, const ExcessPressure& pressure, const Progress& progress,
+void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progress& progress,
                        const HistoryOutput& history, const FieldOutput& fields) const {
   const Comm& comm = *model.mesh().comm();
   CheckpointData data;
@@ -236,13 +236,13 @@ void Checkpoint::write(const std::string& path, Model& model, const ExcessPressu
   if (model.ale() && model.ale()->remeshing()) data.scalars["remesh tried"] = progress.remesh_tried;
   if (model.remeshed())
     data.integers[remeshed_mesh] = comm.getRank() == 0 ? packed(model.remeshed()->bytes()) : std::vector<long long>();
-  CheckpointWriter(model.mesh().comm(), signature_of(model.mesh())).write(path, data);
+  CheckpointWriter(model.mesh().comm(), signature_of(model.mesh())).write(path_, data);
 }
 
-void Checkpoint::take_over(const std::string& by, const Comm& comm) const {
+void Checkpoint::keep_as(const std::string& path, const Comm& comm) const {
   const std::string error =
-      agreed_message(raw_communicator(comm), comm.getRank() == 0 ? link_file(by, path_) : std::string());
-  if (!error.empty()) throw RunError("checkpoint '" + path_ + "': " + error);
+      agreed_message(raw_communicator(comm), comm.getRank() == 0 ? link_file(path_, path) : std::string());
+  if (!error.empty()) throw RunError("checkpoint '" + path + "': " + error);
 }
 
 std::shared_ptr<const RemeshedMesh> Checkpoint::open(const Mesh& mesh) {
@@ -362,6 +362,10 @@ void Checkpoint::read_progress(Model& model, Progress& progress) const {
   if (progress.stage_open && !(progress.next_dt > 0) &&
       model.stages()[std::min<std::size_t>(progress.stage, model.stages().size() - 1)]->type != Stage::Type::geostatic)
     throw InputError("the value 'next dt' = " + number_text(progress.next_dt) + " is impossible");
+  if (use_ == For::start && progress.stage_open) {  // the end of a last stage, which a restart may prolong
+    progress.stage_open = false;
+    ++progress.stage;
+  }
   if (use_ == For::start && progress.stage == static_cast<int>(model.stages().size()))
     throw InputError("the deck has no stage after that one");
   if (progress.stage >= static_cast<int>(model.stages().size()))

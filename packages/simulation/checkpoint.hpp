@@ -26,14 +26,11 @@ class Checkpoint {
   Checkpoint(std::string path, For use, const Origin& origin, bool accept_changes)
       : path_(std::move(path)), use_(use), origin_(origin), accept_changes_(accept_changes) {}
 
-  const std::string& path() const { return path_; }
-
-  /// Writes it to `path`; the old one stays until the new one is complete. RunError on every rank alike. Collective.
-  void write(const std::string& path, Model& model, const ExcessPressure& pressure, const Progress& progress,
-             const HistoryOutput& history, const FieldOutput& fields) const;
-
-  /// Makes the complete checkpoint `by` this one too. RunError on every rank alike. Collective.
-  void take_over(const std::string& by, const Comm& comm) const;
+  /// Writes it; the old one stays until the new one is complete. RunError on every rank alike. Collective.
+  void write(Model& model, const ExcessPressure& pressure, const Progress& progress, const HistoryOutput& history,
+             const FieldOutput& fields) const;
+  /// Keeps the checkpoint that is there under another name too. RunError on every rank alike. Collective.
+  void keep_as(const std::string& path, const Comm& comm) const;
 
   /// Compares its deck with the run's. Returns the mesh of the last remeshing; null: the deck's. InputError, on every
   /// rank alike, when the checkpoint is missing, damaged, or that of another run. Collective.

@@ -14,7 +14,10 @@ void HistoryOutput::begin_run(const RunView& run) {
   remeshed(run);
 }
 
-void HistoryOutput::remeshed(const RunView& run) { probes_ = std::make_unique<Probes>(run.model, settings_.probes); }
+void HistoryOutput::remeshed(const RunView& run) {
+  probes_ = std::make_unique<Probes>(run.model, settings_.probes);
+  row_step_ = -1;
+}
 
 void HistoryOutput::step(const RunView& run) {
   due_ = true;
@@ -33,7 +36,13 @@ void HistoryOutput::write_due_row(const RunView& run) {
   due_ = false;
 }
 
-std::vector<HistoryValue> HistoryOutput::row(const RunView& run) const {
+const std::vector<HistoryValue>& HistoryOutput::row(const RunView& run) {
+  if (row_step_ != run.step) row_ = columns_after(run);
+  row_step_ = run.step;
+  return row_;
+}
+
+std::vector<HistoryValue> HistoryOutput::columns_after(const RunView& run) const {
   std::vector<HistoryValue> row{{"step/dt", "s", run.dt},
                                 {"step/newton iterations", "-", static_cast<double>(run.solve.newton_iterations)}};
   for (const auto& [name, body] : run.model.bodies()) {

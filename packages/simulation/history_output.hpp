@@ -23,8 +23,8 @@ class HistoryOutput : public Observer {
   void go_on(const HistoryRestart& restart) { restart_ = restart; }
   /// Length of the file so far, for a checkpoint.
   const HistoryMark& mark() const { return file_->mark(); }
-  /// The columns after a step but its time. Collective.
-  std::vector<HistoryValue> row(const RunView& run) const;
+  /// The columns after the last step, but its time; they are worked out once. Collective.
+  const std::vector<HistoryValue>& row(const RunView& run);
 
   /// Opens the file.
   void begin_run(const RunView& run) override;
@@ -38,6 +38,7 @@ class HistoryOutput : public Observer {
  private:
   /// Writes the last step's row where that has not been written yet.
   void write_due_row(const RunView& run);
+  std::vector<HistoryValue> columns_after(const RunView& run) const;
 
   const OutputSettings settings_;
   const Observers& observers_;
@@ -46,6 +47,8 @@ class HistoryOutput : public Observer {
   std::unique_ptr<HistoryFile> file_;
   std::unique_ptr<Probes> probes_;
   bool due_ = false;  // the last step's row is not written yet
+  std::vector<HistoryValue> row_;
+  int row_step_ = -1;  // number of the step that row_ belongs to
 };
 
 }  // namespace mudline

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bodies/penetration_mesh.hpp"
+#include "ale/penetration_mesh.hpp"
 #include "core/entry.hpp"
 #include "core/guarded.hpp"
 #include "core/log.hpp"
@@ -67,7 +67,7 @@ void call_physics(const Section& entry, Action&& action) {
 MeshRecipe mesh_recipe(const Section& deck, const Registries& registries) {
   MeshRecipe recipe(registries.mesh_sources, required_section(deck, "mesh"), contact_sets(deck));
   if (auto* around_body = dynamic_cast<PenetrationMesh*>(&recipe.source()))
-    around_body->take_body(deck.section("bodies"), registries.contours);
+    around_body->read_body(deck.section("bodies"), {registries.contours, registries.surfaces, registries.motions});
   return recipe;
 }
 
@@ -314,39 +314,42 @@ void Model::activate(const Stage& stage, bool fresh) {
     if (fresh) body->restart_clock(store_->committed());
   }
   const std::set<std::string> names(stage.conditions.begin(), stage.conditions.end());
-  const auto loads = [&](const std::function<bool(Condition&)>& wanted) {
-    std::vector<Term*> result = active;
+  using Wanted = std::function<bool(const Condition&)>;
+  const auto conditions = [&](const Wanted& wanted) {
+    std::vector<Condition*> result;
     for (const auto& condition : conditions_)
-      if (condition->term() && names.count(condition->name) && wanted(*condition)) result.push_back(condition->term());
+      if (names.count(condition->name) && wanted(*condition)) result.push_back(condition.get());
+    return result;
+  };
+  const auto terms = [&](const Wanted& wanted) {
+    std::vector<Term*> result = active;
+    for (Condition* condition : conditions(wanted))
+      if (condition->term()) result.push_back(condition->term());
     return result;
   };
   if (fresh) {
-    const auto is_new = [&](const Condition& condition) { return active_conditions_.count(condition.name) == 0; };
+    const auto stays = [&](const Condition& condition) { return active_conditions_.count(condition.name) > 0; };
+    const auto new_support = [&](const Condition& condition) { return !stays(condition) && condition.supports(); };
+    const auto new_other = [&](const Condition& condition) { return !stays(condition) && !condition.supports(); };
     // the forces on the sets of newly active conditions are the residual of all terms that stay active; supports take
     // the new loads too
-    activate_conditions(stage, loads([&](Condition& condition) { return !is_new(condition); }),
-                        [&](Condition& condition) { return is_new(condition) && !condition.supports(); });
-    const auto new_support = [&](Condition& condition) { return is_new(condition) && condition.supports(); };
-    activate_conditions(stage, loads([&](Condition& condition) { return !new_support(condition); }), new_support);
+    activate_conditions(stage, conditions(new_other), terms(stays));
+    activate_conditions(stage, conditions(new_support), terms([&](const Condition& c) { return !new_support(c); }));
   }
-  system_->activate(loads([](Condition&) { return true; }));
+  system_->activate(terms([](const Condition&) { return true; }));
   active_conditions_ = names;
 }
 
-void Model::activate_conditions(const Stage& stage, const std::vector<Term*>& acting,
-                                const std::function<bool(Condition&)>& wanted) {
-  std::vector<Condition*> chosen;
-  for (const std::string& name : stage.conditions)
-    for (const auto& condition : conditions_)
-      if (condition->name == name && wanted(*condition)) chosen.push_back(condition.get());
-  if (chosen.empty()) return;
+void Model::activate_conditions(const Stage& stage, const std::vector<Condition*>& conditions,
+                                const std::vector<Term*>& acting) {
+  if (conditions.empty()) return;
   system_->activate(acting);
   const NodalView unbalanced = system_->static_residual();
   Constraints held(static_cast<int>(unbalanced.extent(0)));
   prescribe(stage, store_->committed().time, store_->committed().time, store_->committed(), held);
   for (std::size_t i = 0; i < unbalanced.extent(0); ++i)
     if (held.mask(i)) unbalanced(i) = 0;
-  for (Condition* condition : chosen) condition->activate(store_->committed(), unbalanced);
+  for (Condition* condition : conditions) condition->activate(store_->committed(), unbalanced);
 }
 
 std::shared_ptr<const BodyMotion> Model::motion_in(const Stage& stage, const std::string& name) const {

@@ -78,9 +78,9 @@ class Model {
   void read_mesh_motion(const Section& deck, const Registries& registries);
   void read_stages(const Section& deck, const Registries& registries);
   void read_solver(const Section& deck, const Registries& registries);
-  /// Gives the wanted ones of a stage's conditions the residual of the terms `acting`. Collective.
-  void activate_conditions(const Stage& stage, const std::vector<Term*>& acting,
-                           const std::function<bool(Condition&)>& wanted);
+  /// Gives conditions of a stage the residual of the terms `acting`. Collective.
+  void activate_conditions(const Stage& stage, const std::vector<Condition*>& conditions,
+                           const std::vector<Term*>& acting);
   /// Data of the physics for the linear solver, with the nodes at which contacts press.
   BlockData block_data(const StepView& view) const;
 

@@ -1,7 +1,7 @@
 #include "simulation/registries.hpp"
 
 #include "ale/ale.hpp"
-#include "bodies/penetration_mesh.hpp"
+#include "ale/penetration_mesh.hpp"
 #include "core/function_types.hpp"
 #include "geometry/path_shape.hpp"
 #include "integrator/step_control.hpp"

@@ -68,10 +68,13 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
     checkpoint_.resume(model_->store().committed().time, *history_, *fields_);
     return;
   }
-  Checkpoint start(options_.start, Checkpoint::For::start, origin_, false);
-  if (!options_.start.empty()) go_on_from(start);
+  if (options_.start.empty()) {
+    take_start();
+  } else {
+    Checkpoint start(options_.start, Checkpoint::For::start, origin_, false);
+    go_on_from(start);
+  }
   make_room(model_->mesh().comm(), settings_.stem(), origin_, options_.overwrite);
-  if (options_.start.empty()) take_start();
 }
 
 void Run::go_on_from(Checkpoint& checkpoint) {
@@ -91,6 +94,7 @@ void Run::make_observers(Observers watchers) {
   add(std::make_unique<WallDissipation>());
   // these come after all that have columns and fields
   history_ = add(std::make_unique<HistoryOutput>(settings_, observers_, error_estimate_));
+  ends_ = std::make_unique<StageEnds>(*history_);
   fields_ = add(std::make_unique<FieldOutput>(settings_, origin_, observers_));
   add(std::make_unique<ProgressLog>());
 }
@@ -130,26 +134,11 @@ void Run::tell_step(const StepReport& solve) {
   solve_ = solve;
   const RunView now = view();
   tell([&](Observer& observer) { observer.report(now, report_); });
-  const auto& stages = model_->stages();
-  const auto may_end = [](const auto& stage) { return !stage->ends.empty(); };
-  if (!ends_checked_ ? std::any_of(stages.begin(), stages.end(), may_end) : !stage().ends.empty())
-    look_at_ends(history_->row(now));
-  ends_checked_ = true;
+  if (const std::string why = ends_->reached(now, progress_.ends); !why.empty()) {
+    progress_.stage_over = true;
+    log::info("  stage '" + now.stage.name + "' ends at t " + told(now.state.time, "%.6g s") + ", " + why);
+  }
   tell(&Observer::step);
-}
-
-void Run::check_ends(const std::vector<HistoryValue>& row) const {
-  for (const auto& stage : model_->stages())
-    for (const auto& end : stage->ends) end->check(row);
-}
-
-void Run::look_at_ends(const std::vector<HistoryValue>& row) {
-  if (!ends_checked_ && !row.empty()) check_ends(row);
-  const std::string why = stage_end_reached(view(), row, progress_.ends);
-  if (why.empty()) return;
-  progress_.stage_over = true;
-  log::info("  stage '" + stage().name + "' ends at t " + told(model_->store().committed().time, "%.6g s") + ", " +
-            why);
 }
 
 bool Run::observers_object() {
@@ -197,7 +186,6 @@ bool Run::begin_stage(const Stage& stage) {
   log::info("stage '" + stage.name + "'");
   progress_.stage_open = true;
   progress_.stage_over = false;
-  progress_.ends.clear();
   progress_.step_in_stage = 0;
   progress_.stage_start = model_->store().committed().time;
   progress_.next_dt = stage.control.initial;
@@ -213,7 +201,7 @@ bool Run::begin_stage(const Stage& stage) {
   InitialRates(*model_, stage, before).give(request(stage, stage.control.initial));
   balances_->jump([&] { model_->start_bodies(stage); });
   report_ = report_of_contacts(*model_);
-  look_at_ends({});
+  ends_->begin_stage(view(), progress_.ends);
   tell(&Observer::begin_stage);
   return true;
 }
@@ -378,20 +366,10 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   if (settings_.checkpoint_steps > 0 && progress_.step % settings_.checkpoint_steps == 0) save_checkpoint();
 }
 
-void Run::save_checkpoint() {
-  checkpoint_.write(checkpoint_.path(), *model_, *pressure_, progress_, *history_, *fields_);
-}
+void Run::save_checkpoint() { checkpoint_.write(*model_, *pressure_, progress_, *history_, *fields_); }
 
-void Run::save_stage(bool last) {
-  const std::string file = stage_checkpoint(stem_, stage().name);
-  progress_.stage_open = false;
-  ++progress_.stage;
-  checkpoint_.write(file, *model_, *pressure_, progress_, *history_, *fields_);
-  --progress_.stage;
-  if (last)
-    progress_.stage_open = true;
-  else
-    checkpoint_.take_over(file, *model_->mesh().comm());
+void Run::keep_checkpoint() const {
+  checkpoint_.keep_as(stage_checkpoint(stem_, stage().name), *model_->mesh().comm());
 }
 
 void Run::end(RunEnd how) {
@@ -471,12 +449,18 @@ ExitCode Run::execute() {
       if (this->stage().reset_displacements) reset_displacements();
     }
     const bool last = progress_.stage + 1 == stages;
-    save_stage(last);
     // the checkpoint of the last stage is written below with the stage open, so that a restart may prolong it
     if (last) break;
+    progress_.stage_open = false;
+    ++progress_.stage;
+    save_checkpoint();
+    --progress_.stage;
+    keep_checkpoint();
   }
   check_foreign_code();
-  save_and_end(RunEnd::done);
+  save_checkpoint();
+  keep_checkpoint();
+  end(RunEnd::done);
   return ExitCode::done;
 }
 

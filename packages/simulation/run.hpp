@@ -15,6 +15,7 @@
 #include "simulation/model.hpp"
 #include "simulation/old_results.hpp"
 #include "simulation/output/result_lock.hpp"
+#include "simulation/stage_ends.hpp"
 #include "simulation/transfer_log.hpp"
 
 namespace mudline {
@@ -79,10 +80,6 @@ class Run {
   RunView view(bool resumed = false) const;
   void tell(const std::function<void(Observer&)>& action);
   void tell(void (Observer::*event)(const RunView&), bool resumed = false);
-  /// Looks whether one of the stage's ends is reached, after a step or, with no columns, when the stage begins.
-  void look_at_ends(const std::vector<HistoryValue>& row);
-  /// Checks what ends the stages against the columns of the history. InputError.
-  void check_ends(const std::vector<HistoryValue>& row) const;
   /// Tells the observers of an accepted step, after they have added to its report. Collective.
   void tell_step(const StepReport& solve);
   /// Tells the observers that the run ends; with a checkpoint before.
@@ -90,8 +87,8 @@ class Run {
   void save_and_end(RunEnd how);
   bool stop_requested() const;
   void save_checkpoint();
-  /// Saves the end of the present stage, from which other runs may start.
-  void save_stage(bool last);
+  /// Keeps the checkpoint at the end of the present stage, from which other runs may start.
+  void keep_checkpoint() const;
   /// Makes the model and the state those of a checkpoint.
   void go_on_from(Checkpoint& checkpoint);
 
@@ -109,13 +106,13 @@ class Run {
   ErrorOutput* error_estimate_ = nullptr;  // null: not asked for
   HistoryOutput* history_ = nullptr;
   FieldOutput* fields_ = nullptr;
+  std::unique_ptr<StageEnds> ends_;
   Progress progress_;
   Checkpoint checkpoint_;
   LocalError error_;  // estimate for the step last tried
   Report report_;     // report of the last accepted step
   StepReport solve_;  // likewise, its iterations
   int steps_here_ = 0;
-  bool ends_checked_ = false;
   int rejected_ = 0;
   TransferLog transfers_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/told.hpp"
@@ -84,6 +83,7 @@ class ColumnReaches : public StageEnd {
                    (given_.empty() ? "" : "; it has '" + join(given_, "' and '") + "'"));
     section_ = section;
   }
+  bool needs_columns() const override { return true; }
   void check(const std::vector<HistoryValue>& row) override {
     const HistoryValue* const value = find(row);
     if (value == nullptr) {
@@ -139,16 +139,6 @@ void register_stage_ends(Registry<StageEnd>& registry) {
   registry.add<Dissipated>("dissipated", "a share of the excess pore pressure is dissipated (degree of consolidation)");
   registry.add<ColumnReaches>(
       "history", "a column of the history (force, depth, pressure) reaches a value, or its peak is passed");
-}
-
-std::string stage_end_reached(const RunView& run, const std::vector<HistoryValue>& row, StageEndMemory& memory) {
-  for (const auto& end : run.stage.ends) {
-    const double now = end->measure(run, row);
-    double& largest = memory[end->name];
-    largest = std::max(largest, std::abs(now));
-    if (!row.empty() && end->reached(now, largest)) return "'" + end->name + "': " + end->told_end(now, largest);
-  }
-  return "";
 }
 
 }  // namespace mudline

@@ -20,6 +20,8 @@ class StageEnd {
 
   /// Checks its entries (section.fail) against the model, whose state is not made yet.
   virtual void bind(const Model&, const Section&) {}
+  /// Whether it reads columns of the history.
+  virtual bool needs_columns() const { return false; }
   /// Checks its entries against the columns of the history, before the first stage. InputError.
   virtual void check(const std::vector<HistoryValue>&) {}
   /// The number that it watches, after a step or when the stage begins; `row`: the columns of the history, none when
@@ -36,9 +38,5 @@ void register_stage_ends(Registry<StageEnd>& registry);
 
 /// The largest magnitudes, in the present stage, of what its ends watch, by their names.
 using StageEndMemory = std::map<std::string, double>;
-
-/// Looks at the ends of the present stage, after a step or when it begins. Returns which one is reached, and by what;
-/// "": none. Collective.
-std::string stage_end_reached(const RunView& run, const std::vector<HistoryValue>& row, StageEndMemory& memory);
 
 }  // namespace mudline

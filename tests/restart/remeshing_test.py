@@ -7,8 +7,9 @@ import sys
 import time
 import unittest
 
+import numpy as np
 from meshing_child import caught, children
-from mudline_case import PROGRAM, ROOT, History, deck_text
+from mudline_case import PROGRAM, ROOT, History, deck_text, program
 from restart_test import RestartCase, settings
 
 sys.path.insert(0, os.path.join(ROOT, "tests", "verification", "ale"))
@@ -67,6 +68,25 @@ class Remeshing(RestartCase):
 
     def test_signals_in_space(self):
         self.check_interrupted("space", (signal.SIGTERM, signal.SIGUSR1))
+
+    def test_an_end_of_the_stage_after_a_remeshing(self):
+        """The model on the new mesh knows the columns, and their units."""
+        self.whole("plane")
+        whole = History(self.result("whole", ".csv"))
+        remeshed = int(np.argmax(whole["mesh/remeshings"] >= 2))
+        self.assertLess(remeshed, len(whole.time) - 1)
+        way = whole["body/ball/displacement y"][remeshed]
+        over = self.write("end.xml", deck_text("end", {"stages": {"push": {"ends when": {"deep": {
+            "type": "history", "column": "body/ball/displacement y", "falls to": 0.0}}}}}))
+        done = program(["run", *self.decks["plane"], over, *settings(
+            "output/name=ended", f"stages/push/ends when/deep/falls to={1000 * way:.17g} mm")], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"stage 'push' ends at t \S+ s, 'deep': body/ball/displacement y -\S+ m\n")
+        ended = History(self.result("ended", ".csv"))
+        self.assertEqual(ended["mesh/remeshings"][-1], 2)
+        self.assertLessEqual(ended["body/ball/displacement y"][-1], way * (1 - 1e-12))
+        self.assertTrue(np.array_equal(ended.data, whole.data[:len(ended.data)]))
+        self.assertIn(len(ended.data), (remeshed + 1, remeshed + 2))  # the way is read from text
 
     def test_a_process_that_is_killed(self):
         """Once: it is tried again. As often as it begins: the run ends, and a restart is as if nothing had been."""

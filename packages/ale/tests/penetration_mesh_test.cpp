@@ -1,6 +1,6 @@
 // Plane meshes around bodies: areas, places on the contour, sizes, and what is refused.
 #ifdef MUDLINE_HAVE_GMSH
-#include "bodies/penetration_mesh.hpp"
+#include "ale/penetration_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,16 +28,18 @@ std::string pile() {
 }
 
 struct Soil {
-  explicit Soil(const std::string& contour, double tip, const std::string& more = "")
+  explicit Soil(const std::string& contour, double tip, const std::string& more = "",
+                const std::string& geometry = "axisymmetric")
       : body(section_xml("mesh", text_parameter("type", "penetration") + text_parameter("body", "b") +
-                                     text_parameter("geometry", "axisymmetric") + number_parameter("width", width) +
+                                     text_parameter("geometry", geometry) + number_parameter("width", width) +
                                      number_parameter("depth", depth) + number_parameter("size near body", 0.05) +
                                      more) +
              body_xml("b", contour, text_parameter("type", "held"), "0, " + std::to_string(tip))) {
     Registry<MeshSource> sources("mesh");
     sources.add<PenetrationMesh>("penetration", "");
     MeshRecipe recipe(sources, body.deck.root().section("mesh"), {});
-    dynamic_cast<PenetrationMesh&>(recipe.source()).take_body(body.deck.root().section("bodies"), body.contours);
+    dynamic_cast<PenetrationMesh&>(recipe.source())
+        .read_body(body.deck.root().section("bodies"), {body.contours, body.surfaces, body.motions});
     mesh = recipe.make();
   }
 
@@ -137,7 +139,14 @@ TEST(PenetrationMesh, Refused) {
   refuse(pile(), -2.5, "", "body 'b' is wholly below the mudline, at 0 m");
   refuse(sharp_cone(), -1, number_parameter("largest size", 0.01),
          "size near body: 0.05 is more than the largest size, 0.01");
-  refuse(pile() + text_parameter("extent", "full"), -1, "", "a penetration mesh is for bodies with a half contour");
+  EXPECT_NE(input_error([] {
+              Soil(pile() + text_parameter("extent", "full"), -1, "", "plane strain");
+            }).find("a penetration mesh is for bodies with a half contour"),
+            std::string::npos);
+  EXPECT_NE(input_error([] {
+              Soil(pile() + text_parameter("extent", "full"), -1);
+            }).find("an axisymmetric body has a half contour, not a full one"),
+            std::string::npos);
   refuse(text_parameter("type", "flat pile") + number_parameter("diameter", 7) + number_parameter("shaft length", 9),
          -1, "", "width: body 'b' reaches to 3.5 m in the ground");
   refuse(text_parameter("type", "flat pile") + number_parameter("diameter", 1) + number_parameter("shaft length", 9),

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "bodies/rigid_body.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/source_position.hpp"
-#include "geometry/contour_shape.hpp"
 
 namespace mudline {
 
@@ -19,8 +19,8 @@ class PenetrationMesh : public MeshSource {
  public:
   void parameters(Parameters& p);
   void check(const Section& section);
-  /// Takes the body's contour and the place of its reference point, from the deck's "bodies". InputError.
-  void take_body(const Section& bodies, const Registry<ContourShape>& contours);
+  /// Reads the body from the deck's "bodies", before generate(). InputError.
+  void read_body(const Section& bodies, const BodyRegistries& registries);
   GlobalMesh generate() const override;
 
  private:
@@ -35,17 +35,15 @@ class PenetrationMesh : public MeshSource {
   std::vector<Curve> hole() const;
   /// Wanted length of the sides at a point [m].
   double size(const PlanePoint& x) const;
-  /// Divides a curve: arc lengths of the ends of its sides.
-  std::vector<double> divided(const Curve& curve) const;
 
-  std::string body_, region_ = "soil";
+  std::string body_name_, region_ = "soil";
+  Geometry geometry_ = Geometry::plane_strain;
   double width_ = 0, depth_ = 0, mudline_ = 0;
   double near_size_ = 0, near_distance_ = 0, growth_ = 0.15, largest_ = 0;  // sizes
   double time_limit_ = 600;
   int order_ = 2;
   SourcePosition position_;
-  std::shared_ptr<const Contour> contour_;
-  PlanePoint place_{};  // of the contour's origin
+  std::shared_ptr<const RigidBody> body_;
 };
 
 }  // namespace mudline
