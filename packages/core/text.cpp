@@ -166,6 +166,13 @@ std::string join_path(const std::string& parent, const std::string& name) {
   return name.empty() ? parent : parent + "/" + name;
 }
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 std::string xml_escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {

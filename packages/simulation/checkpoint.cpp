@@ -30,6 +30,7 @@ const char* const free_at_start[] = {"functions", "boundary conditions"};
 
 /// Name in the checkpoint of the names and fingerprints of the files of the fields, a line each.
 const char* const field_marks = "field files";
+const char* const results = "results";
 
 /// Name in the checkpoint of the mesh of the last remeshing: the number of bytes, and the bytes packed into integers.
 const char* const remeshed_mesh = "remeshed mesh";
@@ -231,6 +232,7 @@ void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progr
   const HistoryMark& mark = history.mark();
   data.integers["history"] = {mark.rows, mark.bytes, static_cast<long long>(mark.fingerprint)};
   data.scalars["field steps"] = fields.num_steps();
+  data.texts[results] = progress.results.lines();
   data.texts["deck"] = origin_.deck;
   data.texts[field_marks] = text_of(fields.marks());
   if (model.ale() && model.ale()->remeshing()) data.scalars["remesh tried"] = progress.remesh_tried;
@@ -356,6 +358,9 @@ void Checkpoint::read_progress(Model& model, Progress& progress) const {
   for (const auto& [name, value] : data_.scalars)
     if (name.compare(0, stage_end.size(), stage_end) == 0)
       progress.ends[name.substr(stage_end.size())] = scalar(data_, name);
+  // a checkpoint of an earlier version has none
+  if (const auto found = data_.texts.find(results); found != data_.texts.end())
+    progress.results = ResultTable::from_lines(found->second);
   if (data_.scalars.count("remesh tried")) progress.remesh_tried = counter(data_, "remesh tried", 2e9);
   if (model.store().committed().time < progress.stage_start && progress.stage_open)
     throw InputError("its time lies before the start of its stage");

@@ -13,6 +13,7 @@ namespace mudline {
 class Balances;
 class ExcessPressure;
 class Model;
+class ResultTable;
 class Stage;
 struct HistoryValue;
 struct OutputField;
@@ -72,6 +73,9 @@ class Observer {
   virtual std::string objection(const RunView&) { return ""; }
   /// Adds columns to a row of the history that is about to be written, always the same ones.
   virtual void columns(const RunView&, std::vector<HistoryValue>&) {}
+  /// Sets results of the present stage ("<stem>.results.csv"), after each step that is not geostatic; the table keeps
+  /// them through a restart.
+  virtual void results(const RunView&, ResultTable&) {}
   /// Adds fields by element of this rank, block after block, to the fields that are about to be written.
   virtual void cell_fields(const RunView&, std::vector<OutputField>&) {}
 };

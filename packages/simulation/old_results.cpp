@@ -78,7 +78,7 @@ void make_room(const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const std::st
   std::error_code ignored;
   // the fields are removed when the new ones begin
   if (!root) return;
-  for (const char* ending : {".csv", ".restart"}) std::filesystem::remove(stem + ending, ignored);
+  for (const char* ending : {".csv", ".results.csv", ".restart"}) std::filesystem::remove(stem + ending, ignored);
   for (const std::string& stage : checkpointed_stages(stem))
     std::filesystem::remove(stage_checkpoint(stem, stage), ignored);
 }

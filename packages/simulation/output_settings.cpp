@@ -29,6 +29,9 @@ void check_name(const Section& section, const std::string& name) {
   if (name == "." || name == ".." || name.find('/') != std::string::npos)
     refuse("is no name of files in output/folder; allowed: a name without '/'");
   if (name.find(':') != std::string::npos) refuse("contains ':', which separates file and dataset in the .xdmf");
+  const std::string taken = ".results";  // "clay.results.csv" has the results of the run "clay"
+  if (name.size() >= taken.size() && name.compare(name.size() - taken.size(), taken.size(), taken) == 0)
+    refuse("ends with '.results', as the file of a run's results does");
   if (name.size() > longest) refuse("is too long; allowed: " + std::to_string(longest) + " bytes");
 }
 

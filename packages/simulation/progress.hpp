@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/results/result_table.hpp"
 #include "simulation/stage_end.hpp"
 
 namespace mudline {
@@ -13,6 +14,7 @@ struct Progress {
   bool stage_open = false;                           // the stage has begun
   bool stage_over = false;                           // one of its ends is reached
   StageEndMemory ends;                               // of the present stage
+  ResultTable results;                               // so far
   int remesh_tried = 0;                              // step after which remeshing was last tried
 };
 

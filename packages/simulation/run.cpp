@@ -15,6 +15,9 @@
 #include "simulation/initial_rates.hpp"
 #include "simulation/mesh_watch.hpp"
 #include "simulation/progress_log.hpp"
+#include "simulation/results/excess.hpp"
+#include "simulation/results/resistance.hpp"
+#include "simulation/results/results.hpp"
 #include "simulation/run_start.hpp"
 #include "simulation/step_report.hpp"
 #include "simulation/wall_dissipation.hpp"
@@ -95,8 +98,11 @@ void Run::make_observers(Observers watchers) {
   // these come after all that have columns and fields
   history_ = add(std::make_unique<HistoryOutput>(settings_, observers_, error_estimate_));
   ends_ = std::make_unique<StageEnds>(*history_);
+  add(std::make_unique<ResistanceResults>());
+  add(std::make_unique<ExcessResults>());
   fields_ = add(std::make_unique<FieldOutput>(settings_, origin_, observers_));
   add(std::make_unique<ProgressLog>());
+  add(std::make_unique<Results>(progress_.results, observers_, *history_));
 }
 
 void Run::take_model(std::unique_ptr<Model> model) {

@@ -11,6 +11,7 @@
 #include "simulation/excess_pressure.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/pressed_direction.hpp"
+#include "simulation/results/dissipation.hpp"
 #include "tensor/mat.hpp"
 
 namespace mudline {
@@ -31,6 +32,13 @@ bool watches(const Model& model) { return !model.contacts().empty() && model.soi
 PointView rows_of(const RunView& run) {
   const StateStore& store = run.model.store();
   return run.state.arrays[store.find(at_the_start)];
+}
+
+/// Whether the body of a contact is still where it was when the stage began.
+bool rests(const Model& model, const Contact& contact, const PointView& start, std::size_t k) {
+  const Point position = {start(k, place), start(k, place + 1), start(k, place + 2)};
+  return length(contact.partners().body->position(model.store().committed()) - position) <
+         0.01 * pressed_half_width(model, contact);
 }
 
 /// Area of the side and volume of its element [m2, m3], both without the length out of the plane.
@@ -129,6 +137,24 @@ void WallDissipation::begin_stage(const RunView& run) {
   }
 }
 
+void WallDissipation::results(const RunView& run, ResultTable& to) {
+  const Model& model = run.model;
+  if (!watches(model)) return;
+  const std::string what = "excess pore pressure on the wall";
+  const PointView start = rows_of(run);
+  for (std::size_t k = 0; k < model.contacts().size(); ++k) {
+    if (!(start(k, area) > 0)) continue;
+    const Contact& contact = *model.contacts()[k].second;
+    const std::string& body = contact.partners().body->name();
+    if (!rests(model, contact, start, k)) {
+      forget_dissipation(run, body, what, to);
+      continue;
+    }
+    const double now = look(model, contact, run.pressure.values()).pressure;
+    follow_dissipation(run, body, what, now, std::max(now, start(k, pressure)), to);
+  }
+}
+
 void WallDissipation::end_stage(const RunView& run) {
   const Model& model = run.model;
   if (run.stage.type == Stage::Type::geostatic || !watches(model)) return;
@@ -137,13 +163,10 @@ void WallDissipation::end_stage(const RunView& run) {
   for (std::size_t k = 0; k < model.contacts().size(); ++k) {
     if (!(start(k, area) > 0)) continue;
     const auto& [name, contact] = model.contacts()[k];
-    const RigidBody& body = *contact->partners().body;
     const double before = start(k, pressure), width = pressed_half_width(model, *contact);
-    const Point position = {start(k, place), start(k, place + 1), start(k, place + 2)};
     const Wall now = look(model, *contact, excess);
     // only a body at rest is judged
-    const bool rested = length(body.position(run.state) - position) < 0.01 * width;
-    if (!rested || !(now.area > 0) || !(before > 0) || now.pressure >= before) continue;
+    if (!rests(model, *contact, start, k) || !(now.area > 0) || !(before > 0) || now.pressure >= before) continue;
     char text[300];
     const double way = std::sqrt(now.diffusivity * (run.state.time - run.stage_start));
     const bool coarse = now.thickness > finest * std::min(width, way);

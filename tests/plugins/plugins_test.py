@@ -79,6 +79,7 @@ ALARM = """
 #include "simulation/output/field_file.hpp"
 #include "simulation/output/history_file.hpp"
 #include "simulation/plugin.hpp"
+#include "simulation/results/result_table.hpp"
 namespace {
 using namespace mudline;
 class Alarm : public Observer {
@@ -99,6 +100,7 @@ class Alarm : public Observer {
   void columns(const RunView& run, std::vector<HistoryValue>& to) override {
     to.push_back({"alarm/half", "-", 0.5 * run.state.arrays[run.model.store().find("alarm")](0, 0)});
   }
+  void results(const RunView& run, ResultTable& to) override { to.set(run.stage.name, "alarm", "rings", "-", run.step); }
   void cell_fields(const RunView& run, std::vector<OutputField>& to) override {
     std::vector<double> ids;
     for (const ElementBlock& block : run.model.mesh().blocks()) ids.insert(ids.end(), block.global_ids.begin(), block.global_ids.end());
@@ -493,6 +495,8 @@ class Plugins(MudlineCase):
         history = self.run_deck(deck, settings, extra=("--restart",))
         np.testing.assert_array_equal(history["alarm/steps"], np.arange(1, len(history.time) + 1))  # by the array itself
         np.testing.assert_array_equal(history["alarm/half"], 0.5 * history["alarm/steps"])
+        with open(os.path.join(self.folder, "results", "wall.results.csv")) as file:
+            self.assertIn(f"lift,alarm,rings,{len(history.time)},-\n", file.read())
         with h5py.File(os.path.join(self.folder, "results", "wall.h5"), "r") as file:
             step = file["steps"][sorted(file["steps"])[-1]]
             np.testing.assert_array_equal(step["cell"]["alarm_id"][:].reshape(-1), np.arange(160))

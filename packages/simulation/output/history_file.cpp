@@ -13,6 +13,7 @@
 #include "core/errors.hpp"
 #include "core/log.hpp"
 #include "core/run_error.hpp"
+#include "core/text.hpp"
 #include "simulation/output/atomic_file.hpp"
 #include "simulation/output/collective.hpp"
 
@@ -21,20 +22,6 @@ namespace mudline {
 namespace {
 
 constexpr const char* time_column = "time [s]";
-
-std::string number(double value) {
-  char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value);
-  return std::string(text, result.ptr);
-}
-
-/// A cell of a CSV (RFC 4180): quoted where its content would break the line.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
 
 }  // namespace
 
@@ -179,13 +166,13 @@ std::string HistoryFile::append(const std::string& line) {
 
 void HistoryFile::write(double time, const std::vector<HistoryValue>& values) {
   std::string header = time_column;
-  for (const auto& value : values) header += ',' + cell(value.name + " [" + value.unit + "]");
+  for (const auto& value : values) header += ',' + csv_cell(value.name + " [" + value.unit + "]");
   fix_columns(header, values);
 
   std::string error;
   if (comm_->getRank() == 0) {
-    std::string row = number(time);
-    for (const auto& value : values) row += ',' + number(value.value);
+    std::string row = number_text(time);
+    for (const auto& value : values) row += ',' + number_text(value.value);
     error = append(row + '\n');
   }
   error = agreed_message(raw_communicator(*comm_), error);

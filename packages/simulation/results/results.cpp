@@ -1,0 +1,93 @@
+#include "simulation/results/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/log.hpp"
+#include "core/run_error.hpp"
+#include "simulation/model.hpp"
+#include "simulation/output/atomic_file.hpp"
+#include "simulation/output/collective.hpp"
+#include "simulation/output/history_file.hpp"
+#include "simulation/results/result_lines.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr std::size_t most_lines = 10;
+
+std::optional<double> column(const std::vector<HistoryValue>& row, const std::string& name) {
+  const auto found =
+      std::find_if(row.begin(), row.end(), [&](const HistoryValue& value) { return value.name == name; });
+  return found == row.end() ? std::nullopt : std::optional(found->value);
+}
+
+/// The error of the energy balance over the largest of its parts [-]; nothing where there is no such balance.
+std::optional<double> energy_error(const std::vector<HistoryValue>& row) {
+  const std::string energy = "balance/energy/", error = energy + "error";
+  double largest = 0;
+  for (const HistoryValue& value : row)
+    if (value.name.compare(0, energy.size(), energy) == 0 && value.name != error)
+      largest = std::max(largest, std::abs(value.value));
+  const std::optional<double> amount = column(row, error);
+  return amount && largest > 0 ? std::optional(*amount / largest) : std::nullopt;
+}
+
+}  // namespace
+
+void Results::step(const RunView& run) {
+  if (run.stage.type == Stage::Type::geostatic) return;
+  table_.set(run.stage.name, "stage", "duration", "s", run.state.time - run.stage_start);
+  for (const auto& observer : observers_) call(*observer, run.model, [&](Observer& one) { one.results(run, table_); });
+}
+
+void Results::end_stage(const RunView& run) {
+  if (run.stage.type == Stage::Type::geostatic) return;
+  add_set_up(run);
+  add_accuracy(run);
+}
+
+void Results::add_set_up(const RunView& run) {
+  const auto& stages = run.model.stages();
+  const auto present = std::find_if(stages.begin(), stages.end(), [&](const auto& s) { return s.get() == &run.stage; });
+  if (present - stages.begin() < 2) return;
+  const std::string &rest = (*(present - 1))->name, &before = (*(present - 2))->name, &now = run.stage.name;
+  for (const auto& [name, body] : run.model.bodies()) {
+    const Result *const highest = table_.find(now, name, "highest resistance"), *const driven = table_.find(
+                                                                                    before, name, "resistance");
+    const bool rested = table_.find(rest, name, "excess pore pressure on the wall at the end") != nullptr;
+    // what a free body finds at its end is its weight
+    const bool prescribed = body->unknowns().count == 0;
+    if (prescribed && rested && highest != nullptr && driven != nullptr && highest->value > 0 && driven->value > 0)
+      table_.set(now, name, "set-up ratio", "-", highest->value / driven->value);
+  }
+}
+
+void Results::add_accuracy(const RunView& run) {
+  const std::vector<HistoryValue>& row = history_.row(run);
+  const auto add = [&](const char* of, const char* quantity, std::optional<double> value) {
+    if (value) table_.set("", of, quantity, "-", *value);
+  };
+  add("balance", "error of energy", energy_error(row));
+  add("balance", "error of water", column(row, "balance/water/error"));
+  add("mesh motion", "change of solid", column(row, "mesh motion/change of solid"));
+  add("mesh motion", "change of water", column(row, "mesh motion/change of water"));
+  add("discretisation", "error of stress", column(row, "mesh/stress error"));
+  add("discretisation", "error of flow", column(row, "mesh/flow error"));
+}
+
+void Results::end_run(const RunView& run, RunEnd end) {
+  const Comm& comm = *run.model.mesh().comm();
+  if (table_.all().empty()) return;
+  const std::string path = run.stem + ".results.csv";
+  const std::string error = agreed_message(raw_communicator(comm),
+                                           comm.getRank() == 0 ? write_atomically(path, table_.csv()) : std::string());
+  if (!error.empty()) throw RunError(error);
+  if (end != RunEnd::done) return;
+  log::info("results, all of them in " + path + ":");
+  for (const std::string& line : result_lines(table_, most_lines)) log::info("  " + line);
+}
+
+}  // namespace mudline
