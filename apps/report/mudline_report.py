@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""One HTML file that shows a result of mudline: summary, histories, field pictures, balances, deck.
+"""One HTML file that shows a result of mudline: the answer, fields, histories, balances, deck.
 
 mudline report results/cone                                  # writes results/cone_report.html
 mudline report results/cone.h5 --times 0.05,0.2 --fields "pore pressure,void ratio" -o cone.html
@@ -17,6 +17,9 @@ from pathlib import Path
 
 import numpy as np
 
+from PIL import Image
+
+import report_answer
 import report_pictures as pictures
 import report_point
 import report_space_pictures
@@ -35,7 +38,7 @@ FAVOURITES = [
     "preconsolidation pressure",
     "velocity",
 ]
-MAX_DEFAULT_FIELDS = 6  # and, in space, the vertical displacement
+MAX_DEFAULT_FIELDS = 5  # and, in space, the vertical displacement
 ATTEMPTS = 3
 
 CSS = """
@@ -72,8 +75,12 @@ class Gallery:
             figure.savefig(path, dpi=200, **options)
             self.written.append(path)
         data = io.BytesIO()
-        figure.savefig(data, format="svg" if vector else "png", dpi=160, **options)
+        figure.savefig(data, format="svg" if vector else "png", dpi=115, **options)
         pictures.plt.close(figure)
+        if not vector:  # 256 colours are enough for one field, and a third of the size
+            picture = Image.open(data).convert("RGB").quantize(256, dither=Image.Dither.NONE)
+            data = io.BytesIO()
+            picture.save(data, "png", optimize=True)
         width = figure.get_size_inches()[0] * 96
         kind = "svg+xml" if vector else "png"
         code = base64.b64encode(data.getvalue()).decode("ascii")
@@ -133,42 +140,48 @@ def summary(result, history, name):
     return page
 
 
-def contact_reactions(history, up):
-    """Vertical reactions of all contacts by name: the resistance that a body meets."""
-    reactions = {}
+def answer_section(results, history, spans, gallery):
+    """The results as tables, and the resistance to each body over depth."""
+    page = report_answer.results_tables(results, table) if results else ""
+    if history is None or not len(history.time):
+        return page
+    figures = []
     for group, units in history.groups().items():
-        if group.startswith("contact/") and np.any(units.get("N", {}).get(f"reaction {up}", 0)):
-            contact, newtons = group.split("/", 1)[1], units["N"]
-            reactions[contact] = newtons[f"reaction {up}"]
-            if f"reaction {up} error" in newtons:
-                reactions[f"{contact} error"] = newtons[f"reaction {up} error"]
-    return reactions
+        if not group.startswith("body/"):
+            continue
+        body = group.split("/", 1)[1]
+        forces, name, depth, speed = report_answer.body_resistance(history, units, body, results)
+        if forces and depth is not None and np.ptp(depth) > 0:
+            stages = report_answer.moving_stages(spans, history.time, depth)
+            figure = report_answer.load_figure(body, forces, depth, name, stages, None if speed is None else np.abs(speed))
+            figures.append(gallery.add(figure, f"resistance {body}", True))
+    return page + (f"<div class=row>{''.join(figures)}</div>" if figures else "")
 
 
-def body_resistance(history, units):
-    """(vertical forces by name, penetration or None) of a body's columns. Up is z in space, y in the plane."""
-    newtons, metres = units.get("N", {}), units.get("m", {})
-    up = "z" if "displacement z" in metres or "position z" in metres else "y"
-    forces = {name: values for name, values in newtons.items() if name.endswith(f"force {up}") and np.any(values)}
-    forces.update(contact_reactions(history, up))
-    moved = metres.get(f"displacement {up}", metres.get(f"position {up}"))
-    return forces, None if moved is None else moved[0] - moved
+def is_balance(group):
+    """Whether a group of columns stands in the table of balances."""
+    return group.split("/")[0] in ("balance", "mesh motion")
 
 
 def history_section(history, spans, gallery):
-    parts = []
+    """The histories over time, but the balances; what does not change is told in a line."""
+    parts, constant = [], []
     for group, units in history.groups().items():
-        parts.append(f"<h3>{html.escape(group or 'run')}</h3><div class=row>")
-        if group.startswith("body/"):
-            forces, penetration = body_resistance(history, units)
-            if forces and penetration is not None and np.ptp(penetration) > 0:
-                body = group.split("/", 1)[1]
-                figure = pictures.resistance_figure(body, forces, penetration)
-                parts.append(gallery.add(figure, f"resistance {body}", True))
-        parts.append(
-            gallery.add(pictures.history_figure(units, history.time, spans), f"history {group or 'run'}", True)
-        )
-        parts.append("</div>")
+        if is_balance(group):
+            continue
+        changing = {}
+        for unit, curves in units.items():
+            for name, values in curves.items():
+                if np.ptp(values) > 0:
+                    changing.setdefault(unit, {})[name] = values
+                else:
+                    constant.append(f"{group}/{name} {report_answer.number(values[0], unit)}")
+        if changing:
+            parts.append(f"<h3>{html.escape(group or 'run')}</h3><div class=row>")
+            figure = pictures.history_figure(changing, history.time, spans)
+            parts.append(gallery.add(figure, f"history {group or 'run'}", True) + "</div>")
+    if constant:
+        parts.append(f"<p>Constant: {html.escape('; '.join(constant))}.</p>")
     return "".join(parts)
 
 
@@ -193,10 +206,10 @@ def error_table(history):
 def balance_table(history):
     rows = []
     for (group, name, unit), values in history.columns.items():
-        if group.split("/")[0] == "balance" and len(values):
+        if is_balance(group) and len(values):
             rows.append(
                 (
-                    html.escape(f"{group.partition('/')[2]} {name}".strip()),
+                    html.escape(f"{group.removeprefix('balance/')} {name}".strip()),
                     html.escape(unit),
                     f"{values[-1]:.6g}",
                     f"{np.abs(values).max():.6g}",
@@ -228,6 +241,8 @@ def choose_fields(result, step, wanted):
     special = [name for name in ordered if not available[name].by_cell and name not in FAVOURITES and name + " x" not in available
                and not name.startswith("contact ")]
     ordered = special + [name for name in ordered if name not in special]
+    if "excess pore pressure" in ordered and "pore pressure" in ordered:
+        ordered.remove("pore pressure")
     ordered = ordered[:MAX_DEFAULT_FIELDS]
     if result.in_space and "displacement" in ordered:
         ordered.insert(ordered.index("displacement") + 1, "displacement z")
@@ -253,6 +268,16 @@ def uniform_text(result, step, field):
     return f"t = {pictures.nice_time(result.times[step])}, {result.stages[step]}: {value} everywhere."
 
 
+def is_uniform(field):
+    return np.ptp(field.values) <= 1e-9 * np.abs(field.values).max()
+
+
+def moment_name(result, step):
+    """Of a file: the stage, and the time where the stage has several outputs."""
+    stage, time = result.stages[step], result.times[step]
+    return f"{stage} t={time:.10g}" if result.stages.count(stage) > 1 else stage
+
+
 def field_section(result, steps, wanted, options, gallery):
     names = choose_fields(result, steps[-1], wanted)
     drawings = [(step, drawing, result.fields(step)) for step, drawing in field_drawings(result, steps, options)]
@@ -264,11 +289,11 @@ def field_section(result, steps, wanted, options, gallery):
         if options.common_scale:
             limits = (min(f.values.min() for _, _, f in shown), max(f.values.max() for _, _, f in shown))
         for step, drawing, field in shown:
-            if result.in_space and np.ptp(field.values) == 0 and len(shown) > 1:  # a picture of it would tell nothing
+            if is_uniform(field) and (len(shown) > 1 or not result.in_space):  # a picture of it would tell nothing
                 parts.append(f"<p>{html.escape(uniform_text(result, step, field))}</p>")
                 continue
             figure = drawing.figure(field, limits)
-            parts.append(gallery.add(figure, f"{name} t={result.times[step]:.6g}", False))
+            parts.append(gallery.add(figure, f"{name} {moment_name(result, step)}", False))
         parts.append("</div>")
     return "".join(parts)
 
@@ -278,12 +303,14 @@ def build(options, gallery):
     result = FieldResult(fields_path) if fields_path else None
     history = History(history_path) if history_path else None
     stem = (fields_path or history_path).with_suffix("")
+    results_path = stem.with_name(stem.name + ".results.csv")
+    results = report_answer.Results(results_path) if results_path.is_file() else None
     metadata = result.metadata if result else {}
     deck_name = metadata.get("deck_name", stem.name)
     title = metadata.get("title") or deck_name
     spans = result.stage_spans() if result else []
 
-    sections = [("Summary", summary(result, history, str(stem)))]
+    sections = [("Results", answer_section(results, history, spans, gallery))]
     if result and result.steps:
         steps = choose_steps(result, options.times)
         sections.append(("Fields", field_section(result, steps, options.fields, options, gallery)))
@@ -296,6 +323,7 @@ def build(options, gallery):
         sections.append(("Histories", history_section(history, spans, gallery)))
         sections.append(("Discretisation", error_table(history)))
         sections.append(("Balances", balance_table(history)))
+    sections.append(("Summary", summary(result, history, str(stem))))
     long_texts = {key: value for key, value in metadata.items() if "\n" in value or len(value) >= 200}
     sections.append(
         (
@@ -356,14 +384,19 @@ def parse(arguments):
     parser.add_argument(
         "--times", type=numbers, help="draw the outputs nearest to these times [s] (default: the end of each stage)"
     )
-    parser.add_argument("--fields", type=names, help="draw these fields, separated by commas (default: up to six)")
+    parser.add_argument("--fields", type=names, help="draw these fields, separated by commas (default: up to five)")
     parser.add_argument("--mirror", action="store_true", help="draw both halves of an axisymmetric mesh")
     parser.add_argument(
         "--zoom",
         type=window,
         help="second panel: xmin,xmax,ymin,ymax [m], or none (default: around the bodies)",
     )
-    parser.add_argument("--common-scale", action="store_true", help="one colour scale per field for all times")
+    parser.add_argument(
+        "--common-scale",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="one colour scale per field for all times (default), or one for each picture",
+    )
     parser.add_argument("--png", metavar="FOLDER", help="write every picture as a PNG file too")
     return parser.parse_args(arguments)
 

@@ -33,8 +33,9 @@ STYLE = {
     "figure.dpi": 100,
 }
 BODY = {"facecolor": "#9aa0a6", "edgecolor": "#3c4043", "linewidth": 1.2, "joinstyle": "round"}
-COLOUR_MAP = "viridis"
-MAX_POINTS = 3000
+COLOUR_MAP, DIVERGING = "viridis", "RdBu_r"
+TWO_SIGNS = 0.05  # share of the largest magnitude that the smaller sign needs for colours around zero
+MAX_POINTS = 1000
 
 
 def scaled(unit, largest):
@@ -209,34 +210,23 @@ def staged_figure(units, time, parts):
     return figure
 
 
-def resistance_figure(body, forces, penetration):
-    """Resistance over depth, depth downwards, as a cone penetration test is drawn, with the bands of estimated errors."""
-    forces, errors = split_errors(forces)
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(4.6, 4.2), layout="constrained")
-        factor, unit = scaled("N", max(np.abs(values).max() for values in forces.values()))
-        depth_factor, depth_unit = scaled("m", np.abs(penetration).max())
-        for name, values in forces.items():
-            axes.plot(values * factor, penetration * depth_factor, label=name)
-            if name in errors:
-                shade_error(axes, "x", values * factor, penetration * depth_factor, errors[name] * factor)
-        axes.invert_yaxis()
-        axes.set_xlabel(f"vertical force on {body} [{unit}]")
-        axes.set_ylabel(f"penetration [{depth_unit}]")
-        if len(forces) > 1:
-            axes.legend(fontsize=8)
-        return figure
-
-
 def colour_range(field, limits):
-    """(factor, unit, lowest, highest) of the colour bar; limits: (lowest, highest) in the field's unit, or None."""
+    """(factor, unit, lowest, highest) of the colour bar; limits: (lowest, highest) in the field's unit, or None. The
+    bar is as long on both sides of zero where the values have both signs."""
     largest = np.abs(field.values).max() if limits is None else max(abs(limits[0]), abs(limits[1]))
     factor, unit = scaled(field.unit, largest)
     values = field.values * factor
     low, high = (values.min(), values.max()) if limits is None else (limits[0] * factor, limits[1] * factor)
     if high - low <= 1e-12 * max(abs(high), abs(low), 1e-300):
-        low, high = low - (0.01 * abs(low) or 1.0), high + (0.01 * abs(high) or 1.0)
+        return factor, unit, low - (0.01 * abs(low) or 1.0), high + (0.01 * abs(high) or 1.0)
+    if low < 0 < high and min(-low, high) > TWO_SIGNS * max(-low, high):
+        low, high = -max(-low, high), max(-low, high)
     return factor, unit, low, high
+
+
+def colour_map(low, high):
+    """White at zero where the colour bar is as long on both sides of it."""
+    return DIVERGING if low < 0 and low == -high else COLOUR_MAP
 
 
 def paint(axes, mesh, values, by_triangle, low, high):
@@ -245,7 +235,7 @@ def paint(axes, mesh, values, by_triangle, low, high):
         return axes.tripcolor(
             mesh,
             facecolors=values,
-            cmap=COLOUR_MAP,
+            cmap=colour_map(low, high),
             vmin=low,
             vmax=high,
             edgecolors="face",
@@ -253,10 +243,11 @@ def paint(axes, mesh, values, by_triangle, low, high):
             antialiased=False,  # else the background shines through between the triangles
             rasterized=True,
         )
-    drawn = axes.tripcolor(mesh, values, cmap=COLOUR_MAP, vmin=low, vmax=high, shading="gouraud", rasterized=True)
+    drawn = axes.tripcolor(mesh, values, cmap=colour_map(low, high), vmin=low, vmax=high, shading="gouraud", rasterized=True)
     levels = np.linspace(low, high, 13)[1:-1]
     if np.any((levels > values.min()) & (levels < values.max())):
-        axes.tricontour(mesh, values, levels=levels, colors="white", linewidths=0.5, alpha=0.55)
+        colour = "white" if colour_map(low, high) == COLOUR_MAP else "black"
+        axes.tricontour(mesh, values, levels=levels, colors=colour, linewidths=0.5, alpha=0.55, linestyles="solid")
     return drawn
 
 

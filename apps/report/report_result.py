@@ -21,6 +21,9 @@ TRIANGLES_OF_CELL = {
 OUTLINE_OF_CELL = {4: [0, 1, 2], 5: [0, 1, 2, 3], 36: [0, 3, 1, 4, 2, 5], 35: [0, 4, 1, 5, 2, 6, 3, 7]}
 
 
+RESULTS = ".results.csv"  # ending of the results of a run, beside its history
+
+
 class ReportError(Exception):
     """The user asked for something that is not there; printed as one line."""
 
@@ -38,7 +41,7 @@ def find_files(argument):
     if path.is_dir():
         stems = sorted({p.with_suffix("") for p in path.iterdir() if p.suffix == ".xdmf" or is_result(p)})
         if not stems:
-            stems = sorted(p.with_suffix("") for p in path.glob("*.csv"))
+            stems = sorted(p.with_suffix("") for p in path.glob("*.csv") if not p.name.endswith(RESULTS))
         if not stems:
             raise ReportError(f"{argument}: the folder holds no result (.h5 with .xdmf, or .csv)")
         if len(stems) > 1:
@@ -47,6 +50,7 @@ def find_files(argument):
             )
         stem = stems[0]
     else:
+        path = path.with_name(path.name.removesuffix(RESULTS))
         stem = path.with_suffix("") if path.suffix in (".h5", ".xdmf", ".csv") else path
     fields, history = (stem.with_name(stem.name + suffix) for suffix in (".h5", ".csv"))
     if path.suffix == ".h5" and not path.is_file():

@@ -164,7 +164,7 @@ class SpacePicture:
                 panel.draw(axes_at(left + x, y + up, w, h), field, values, low, high)
             bar_height = min(tallest - 0.5, 3.8)
             bar_axes = axes_at(right + 0.25, (tallest - bar_height) / 2, 0.15, bar_height)
-            colours = ScalarMappable(Normalize(low, high), pictures.COLOUR_MAP)
+            colours = ScalarMappable(Normalize(low, high), pictures.colour_map(low, high))
             bar = figure.colorbar(colours, cax=bar_axes)
             bar.set_label(f"{field.name} [{unit}]")
             bar.outline.set_visible(False)
@@ -207,7 +207,7 @@ class SpacePicture:
             of_corners[: len(surface.cells)] = surface.at_places(values)[surface.triangles]
             of_pixels = buffer.values(of_corners)
             white = 0.5 * buffer.level_lines(of_pixels, low, high, LEVELS).astype(np.float32)
-        table = plt.get_cmap(pictures.COLOUR_MAP)(np.linspace(0, 1, 256))[:, :3]
+        table = plt.get_cmap(pictures.colour_map(low, high))(np.linspace(0, 1, 256))[:, :3]
         table = np.vstack([table, to_rgb(pictures.BODY["facecolor"])]).astype(np.float32)
         number = ((of_pixels - low) / (high - low) * 255).round().clip(0, 255)
         number = np.nan_to_num(number, nan=256).astype(int)

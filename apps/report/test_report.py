@@ -18,8 +18,9 @@ import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 import mudline_report  # noqa: E402
+import report_answer  # noqa: E402
 import report_pictures  # noqa: E402
-from report_result import FieldResult, History, stress_invariants  # noqa: E402
+from report_result import Field, FieldResult, History, stress_invariants  # noqa: E402
 
 
 def write_result(path, with_body=True):
@@ -64,6 +65,17 @@ time [s],body/cone/displacement y [m],body/cone/force y [N],"probe/a, b/pore pre
 1,-0.05,1500,2000,1e-9
 2,-0.1,4000,2500,-2e-9
 3,-0.1"""
+
+
+RESULTS = """\
+stage,of,quantity,value,unit
+,cone,depth of the tip at the start,0.5,m
+push,stage,duration,2,s
+push,cone,speed,0.5,m/s
+push,cone,resistance,3500,N
+push,soil,half dissipated after,207360,s
+,balance,error of water,1e-9,-
+"""
 
 
 class ReportTest(unittest.TestCase):
@@ -122,8 +134,8 @@ class ReportTest(unittest.TestCase):
         self.assertAlmostEqual(band[:, 1].max(), 2.1)  # kN
         self.assertTrue(np.any(np.isclose(band, [1, 1.35]).all(axis=1)))
         self.assertEqual(len(report_pictures.history_figure(groups["mesh"], history.time, []).axes[0].lines), 1)
-        forces, penetration = mudline_report.body_resistance(history, groups["body/cone"])
-        axes = report_pictures.resistance_figure("cone", forces, penetration).axes[0]
+        forces, name, penetration, _ = report_answer.body_resistance(history, groups["body/cone"])
+        axes = report_answer.load_figure("cone", forces, penetration, name, [], None).axes[0]
         self.assertEqual((len(axes.lines), len(axes.collections)), (1, 1))
         self.assertTrue(np.any(np.isclose(axes.collections[0].get_paths()[0].vertices, [1.65, 50]).all(axis=1)))
         found = mudline_report.error_table(history)
@@ -137,9 +149,42 @@ class ReportTest(unittest.TestCase):
         (self.folder / "ball.csv").write_text(columns + "\n0,0,0,0,0,0,0\n1,5,-2,7,3,9,4")
         for name, forces, last in (("ball", {"ball": 3, "driving force z": 4}, 2.0), ("cone", {"force y": 4000}, 0.1)):
             history = History(self.folder / f"{name}.csv")
-            found, penetration = mudline_report.body_resistance(history, history.groups()[f"body/{name}"])
+            found, _, penetration, _ = report_answer.body_resistance(history, history.groups()[f"body/{name}"])
             self.assertEqual({force: values[-1] for force, values in found.items()}, forces)
             self.assertAlmostEqual(penetration[-1], last)
+
+    def test_results_come_first(self):
+        (self.folder / "cone.results.csv").write_text(RESULTS)
+        page = Path(self.run_report(self.folder / "cone.results.csv")[1].strip()).read_text()
+        self.assertLess(page.index('<h2 id="results">'), page.index('<h2 id="fields">'))
+        for part in ("<td>push</td><td class=number>2 s</td>", "<th class=number>resistance [kN]</th>", "<td class=number>3.5</td>",
+                     "<td class=number>2.4 days</td>", "<td>error of water</td><td class=number>1e-09</td>"):
+            self.assertIn(part, page)
+        (self.folder / "cone.results.csv").write_text(RESULTS + "push,cone,depth,deep,m\n")
+        self.assertIn("cone.results.csv:8: 'deep' is not a number", self.run_report(self.folder / "cone")[2])
+        (self.folder / "cone.results.csv").write_text("stage\n")
+        self.assertIn("not the results of mudline", self.run_report(self.folder / "cone")[2])
+
+    def test_depth_is_that_of_the_tip(self):
+        (self.folder / "cone.results.csv").write_text(RESULTS)
+        results = report_answer.Results(self.folder / "cone.results.csv")
+        y = np.array([9.0, 8.0, 8.5])
+        np.testing.assert_allclose(report_answer.tip_depth(results, "cone", y, y - 10), [1.5, 2.5, 2.0])
+        self.assertIsNone(report_answer.tip_depth(results, "pile", y, y - 10))
+        (self.folder / "cone.csv").write_text(
+            "time [s],body/cone/position y [m],body/cone/displacement y [m],body/cone/velocity y [m/s],contact/face/reaction y [N],"
+            "contact/face/tip reaction y [N],contact/face/shaft reaction y [N]\n0,10,0,0,0,0,0\n1,9,-1,-1,3000,2000,1000\n"
+        )
+        history = History(self.folder / "cone.csv")
+        forces, name, depth, speed = report_answer.body_resistance(history, history.groups()["body/cone"], "cone", results)
+        self.assertEqual([*forces], ["face", "tip", "shaft"])
+        self.assertEqual((name, list(depth), list(speed)), ("depth of the tip below the mudline", [0.5, 1.5], [0, -1]))
+
+    def test_both_signs_are_coloured_around_zero(self):
+        for values, expected in (([-3, 4], (-4, 4)), ([-0.1, 4], (-0.1, 4)), ([1, 4], (1, 4))):
+            _, _, low, high = report_pictures.colour_range(Field("x", "-", np.array(values, float), False), None)
+            self.assertEqual((low, high), expected)
+            self.assertEqual(report_pictures.colour_map(low, high) == report_pictures.DIVERGING, low == -high)
 
     def test_stress_invariants(self):
         tensor = np.array([[-1.0, 0, 0, -3.0, 0, -2.0], [0, 2.0, 0, 0, 0, 0]])
@@ -176,8 +221,10 @@ class ReportTest(unittest.TestCase):
         ):
             self.assertIn(part, page)
         self.assertNotIn('src="http', page)
-        self.assertGreater(page.count("data:image/png;base64"), 3)
-        self.assertGreater(page.count("data:image/svg+xml;base64"), 3)
+        # pore pressure and displacement change in the push only; the stress is the same everywhere
+        self.assertEqual(page.count("data:image/png;base64"), 2)
+        self.assertEqual(page.count("data:image/svg+xml;base64"), 3)
+        self.assertEqual(page.count(" everywhere.</p>"), 6)
 
     def test_choices_and_pictures(self):
         code, out, _ = self.run_report(
@@ -198,8 +245,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(code, 0)
         self.assertIn(str(self.folder / "x.html"), out)
         written = {path.name for path in (self.folder / "png").iterdir()}
-        self.assertLessEqual({"pore_pressure_t_1.png", "displacement_y_t_1.png", "resistance_cone.png"}, written)
-        self.assertNotIn("pore_pressure_t_2.png", written)
+        self.assertLessEqual({"pore_pressure_push_t_1.png", "displacement_y_push_t_1.png", "resistance_cone.png"}, written)
+        self.assertNotIn("pore_pressure_push_t_2.png", written)
 
     def test_fields_or_histories_alone(self):
         (self.folder / "only.csv").write_text(HISTORY)

@@ -265,8 +265,8 @@ class SpaceTest(unittest.TestCase):
         self.assertIn("three-dimensional", page)
         self.assertIn("<p>t = 0 s, start: 0 m everywhere.</p>", page)
         written = {path.name for path in (self.folder / "png").iterdir()}
-        expected = {f"{name}_t_2.png" for name in ("displacement", "displacement_z", "pore_pressure", "void_ratio")}
-        self.assertEqual(written, expected | {"pore_pressure_t_0.png", "void_ratio_t_0.png"})
+        expected = {f"{name}_load.png" for name in ("displacement", "displacement_z", "pore_pressure", "void_ratio")}
+        self.assertEqual(written, expected | {"pore_pressure_start.png", "void_ratio_start.png"})
 
     def test_picture_has_both_sections_and_readable_units(self):
         for kind in (6, 9, 38, 50, 40):

@@ -73,7 +73,7 @@ def run(files, steps, folder, settings=(), ranks=1):
     points = is_of_points(files)
     arguments = ["point", *files] if points else ["run", "-q", *files, "--steps", steps]
     done = program(arguments + [word for s in settings for word in ("--set", s)], ranks, folder, timeout=300)
-    results = sorted(pathlib.Path(folder, "results").glob("*.csv"))
+    results = sorted(path for path in pathlib.Path(folder, "results").glob("*.csv") if not path.name.endswith(".results.csv"))
     if done.returncode not in (0, 4) or not (results if points else len(results) == 1):
         raise RuntimeError((done.stdout + done.stderr)[:600])
     if points:
