@@ -63,18 +63,6 @@ Doubts all_quantities() {
   return result;
 }
 
-/// Number of steps of a stage when none is cut.
-double expected_steps(const Stage& stage) {
-  const StepControl& control = stage.control;
-  double time = 0, dt = control.initial, steps = 0;
-  while (time < stage.duration && steps < 1e5 && dt < control.maximum && control.growth > 1) {
-    time += dt;
-    dt *= control.growth;
-    ++steps;
-  }
-  return steps + std::max(0.0, std::ceil((stage.duration - time) / std::min(dt, control.maximum) - 1e-9));
-}
-
 }  // namespace
 
 /// Figures of an element of soil, as means over its points.
@@ -392,7 +380,7 @@ void Plausibility::tell_stages(const Section& deck) {
     const Stage& stage = *model_.stages()[i];
     if (stage.type == Stage::Type::geostatic) continue;
     const std::string name = "stage '" + stage.name + "'";
-    const double steps = expected_steps(stage), dt = stage.control.initial;
+    const double dt = stage.control.initial, steps = stage.control.steps_for(stage.duration, dt);
     std::string line = name + text(": about %.0f steps, the first of %.3g s", steps, dt);
     if (stage.type == Stage::Type::dynamic)
       line += text(", %.2g times that of a wave through an element", dt / shortest_wave_);

@@ -63,4 +63,14 @@ double StepControl::after_failure(double dt) const {
   return next < minimum ? -1.0 : next;
 }
 
+double StepControl::steps_for(double duration, double dt) const {
+  double steps = 0;
+  for (; growth > 1 && dt < maximum && duration > 0; dt = std::min(maximum, growth * dt)) {
+    duration -= dt;
+    ++steps;
+  }
+  // a last part that is rounding is no step
+  return steps + std::ceil(std::max(0.0, duration) / dt - 1e-9);
+}
+
 }  // namespace mudline

@@ -36,6 +36,8 @@ struct StepControl {
   /// Step that replaces a converged one whose local error is too large; negative if the converged one is to be
   /// accepted. A step at the minimum is accepted, because no step is short enough where a load jumps.
   double after_error(double dt, const LocalError& error) const;
+  /// Number of steps that a duration [s] takes from a step of `dt` on if all are easy and none is limited by its error.
+  double steps_for(double duration, double dt) const;
   /// Next step after failure; negative if it would be below the minimum.
   double after_failure(double dt) const;
 };

@@ -2,27 +2,47 @@
 
 #include <Teuchos_Time.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/log.hpp"
+#include "core/told.hpp"
 #include "integrator/stepper.hpp"
 #include "simulation/model.hpp"
 
 namespace mudline {
 
-void ProgressLog::begin_run(const RunView&) { wall_start_ = Teuchos::Time::wallTime(); }
+namespace {
+constexpr int mean_of = 30;  // steps over which the time of a step is averaged
+}  // namespace
+
+void ProgressLog::begin_run(const RunView&) { wall_start_ = wall_last_ = Teuchos::Time::wallTime(); }
+
+double ProgressLog::steps_left(const RunView& run) const {
+  const auto& stages = run.model.stages();
+  auto stage = std::find_if(stages.begin(), stages.end(), [&](const auto& s) { return s.get() == &run.stage; });
+  const double rest = run.at_end ? 0.0 : run.stage_start + run.stage.duration - run.state.time;
+  double steps = run.stage.control.steps_for(rest, run.dt);
+  if (stage == stages.end()) return steps;
+  for (++stage; stage != stages.end(); ++stage)
+    if ((*stage)->type != Stage::Type::geostatic)
+      steps += (*stage)->control.steps_for((*stage)->duration, (*stage)->control.initial);
+  return steps;
+}
 
 void ProgressLog::step(const RunView& run) {
   if (run.stage.type == Stage::Type::geostatic) return;
-  ++steps_;
-  const double done = run.state.time - run.stage_start, wall = Teuchos::Time::wallTime() - wall_start_;
-  const double left = done > 0 ? (run.stage.duration - done) / run.dt * wall / steps_ : 0;
+  const double wall = Teuchos::Time::wallTime(), taken = wall - wall_last_;
+  wall_last_ = wall;
+  wall_step_ += (taken - wall_step_) / std::min(++steps_, mean_of);
   const std::string augmented =
       run.solve.augmentations > 0 ? "  augmentations " + std::to_string(run.solve.augmentations) : "";
   char line[200];
-  std::snprintf(line, sizeof line, "  step %5d  t %.6g s  dt %.3g s  newton %d%s  linear %d%s  about %.0f s left",
-                run.step, run.state.time, run.dt, run.solve.newton_iterations, augmented.c_str(),
-                run.solve.linear_iterations, run.solve.factorisations > 0 ? "" : " (reused)", left);
+  std::snprintf(line, sizeof line, "  step %5d  t %.6g s  dt %.3g s  newton %d%s  linear %d%s  about %s left", run.step,
+                run.state.time, run.dt, run.solve.newton_iterations, augmented.c_str(), run.solve.linear_iterations,
+                run.solve.factorisations > 0 ? "" : " (reused)",
+                readable(std::round(wall_step_ * steps_left(run)), "s").c_str());
   log::info(line);
 }
 

@@ -12,8 +12,12 @@ class ProgressLog : public Observer {
   void end_run(const RunView& run, RunEnd end) override;
 
  private:
-  double wall_start_ = 0;  // [s]
-  int steps_ = 0;          // since the program started
+  /// Steps to the end of the last stage, if all are easy and no stage ends before its duration is over.
+  double steps_left(const RunView& run) const;
+
+  double wall_start_ = 0, wall_last_ = 0;  // [s]
+  double wall_step_ = 0;                   // [s] mean over the last steps
+  int steps_ = 0;                          // since the program started
 };
 
 }  // namespace mudline

@@ -46,6 +46,18 @@ TEST(StepControl, ConstantStepsReturnToTheirSizeSlowly) {
   EXPECT_DOUBLE_EQ(c.after_success(0.9, 1, {}), 1);
 }
 
+TEST(StepControl, CountsTheStepsOfADuration) {
+  StepControl control;
+  control.growth = 2;
+  control.maximum = 8;
+  EXPECT_EQ(control.steps_for(7, 1), 3);     // 1 + 2 + 4
+  EXPECT_EQ(control.steps_for(15.5, 1), 5);  // 1 + 2 + 4 + 8, and a part
+  EXPECT_EQ(control.steps_for(80, 8), 10);
+  EXPECT_EQ(control.steps_for(0, 1), 0);
+  control.growth = 1;
+  EXPECT_EQ(control.steps_for(5, 2), 3);
+}
+
 TEST(StepControl, CutsUntilTheMinimum) {
   StepControl c = control();
   c.minimum = 0.3;
