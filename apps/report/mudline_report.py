@@ -78,7 +78,7 @@ class Gallery:
         figure.savefig(data, format="svg" if vector else "png", dpi=115, **options)
         pictures.plt.close(figure)
         if not vector:  # 256 colours are enough for one field, and a third of the size
-            picture = Image.open(data).convert("RGB").quantize(256, dither=Image.Dither.NONE)
+            picture = Image.open(data).convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
             data = io.BytesIO()
             picture.save(data, "png", optimize=True)
         width = figure.get_size_inches()[0] * 96

@@ -9,6 +9,7 @@ import report_pictures as pictures
 from report_result import ReportError
 
 PLAIN = ("-", "")
+ROUNDING = 1e-9  # [m]
 ORDER = ["stage", "soil"]  # of tables: durations first, the soil last; bodies and conditions between
 
 
@@ -36,8 +37,14 @@ class Results:
         return self.of.get(of, {}).get(quantity, ("", {}))[1].get(stage)
 
 
+def whole(value, unit):
+    """0 for a length that is rounding."""
+    return 0.0 if unit == "m" and abs(value) < ROUNDING else value
+
+
 def number(value, unit):
     """A number by itself, in a unit of its own."""
+    value = whole(value, unit)
     if unit == "s":
         return pictures.nice_time(value)
     factor, shown = pictures.scaled(unit, abs(value))
@@ -45,20 +52,20 @@ def number(value, unit):
 
 
 def stage_table(results, of, table):
-    """A row for each stage, a column for each quantity; "" where nothing is of a stage."""
+    """A column for each stage, a row for each quantity; "" where nothing is of a stage."""
     quantities = {name: (unit, values) for name, (unit, values) in results.of[of].items() if any(values)}
     stages = [stage for stage in results.stages if any(stage in values for _, values in quantities.values())]
     if not stages:
         return ""
-    head, columns = ["stage"], [[html.escape(stage) for stage in stages]]
+    rows = []
     duration = results.of.get("stage", {}).get("duration", ("s", {}))
     for name, (unit, values) in {"duration": duration, **quantities}.items():
         largest = max((abs(value) for value in values.values()), default=0.0)
         factor, shown = (1.0, "") if unit == "s" else pictures.scaled(unit, largest)
-        head.append(html.escape(name) + (f" [{html.escape(shown)}]" if shown not in PLAIN else ""))
-        columns.append(["" if stage not in values else number(values[stage], "s") if unit == "s" else f"{values[stage] * factor:.4g}"
-                        for stage in stages])
-    return f"<h3>{html.escape(of)}</h3>" + table(list(zip(*columns)), head, range(1, len(head)))
+        title = html.escape(name) + (f" [{html.escape(shown)}]" if shown not in PLAIN else "")
+        rows.append([title] + ["" if stage not in values else number(values[stage], "s") if unit == "s" else
+                               f"{whole(values[stage], unit) * factor:.4g}" for stage in stages])
+    return f"<h3>{html.escape(of)}</h3>" + table(rows, ["", *map(html.escape, stages)], range(1, len(stages) + 1))
 
 
 def run_table(results, table):

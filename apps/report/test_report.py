@@ -157,7 +157,7 @@ class ReportTest(unittest.TestCase):
         (self.folder / "cone.results.csv").write_text(RESULTS)
         page = Path(self.run_report(self.folder / "cone.results.csv")[1].strip()).read_text()
         self.assertLess(page.index('<h2 id="results">'), page.index('<h2 id="fields">'))
-        for part in ("<td>push</td><td class=number>2 s</td>", "<th class=number>resistance [kN]</th>", "<td class=number>3.5</td>",
+        for part in ("<th class=number>push</th>", "<td>duration</td><td class=number>2 s</td>", "<td>resistance [kN]</td><td class=number>3.5</td>",
                      "<td class=number>2.4 days</td>", "<td>error of water</td><td class=number>1e-09</td>"):
             self.assertIn(part, page)
         (self.folder / "cone.results.csv").write_text(RESULTS + "push,cone,depth,deep,m\n")
