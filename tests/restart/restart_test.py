@@ -310,7 +310,7 @@ class Outputs(RestartCase):
             def told(*arguments):
                 done = program(["run", deck, *push, *more, *arguments], folder=self.folder)
                 self.assertEqual(done.returncode, 0, done.stderr)
-                return [line for line in getattr(done, stream).splitlines() if "excess pore pressure" in line]
+                return [line for line in getattr(done, stream).splitlines() if "contact 'ball on clay': excess pore pressure" in line]
 
             whole = told()
             self.assertEqual(len(whole), 1)
