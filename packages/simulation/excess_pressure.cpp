@@ -1,6 +1,7 @@
 #include "simulation/excess_pressure.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "integrator/overlap.hpp"
 
@@ -21,6 +22,27 @@ NodalView ExcessPressure::values() const {
     if (dof >= 0) excess(dof) = state.value(dof) - initial_(dof) - deeper(dof);
   }
   return excess;
+}
+
+ExcessPressure::AtPlace ExcessPressure::highest() const {
+  const int field = model_.space().find("pore pressure");
+  if (field < 0) return {};
+  const NodalView excess = values();
+  const Mesh& mesh = model_.mesh();
+  const auto& dofs = model_.space().node_dof(field);
+  AtPlace own;
+  for (int node = 0; node < mesh.num_nodes(); ++node)
+    if (const int dof = dofs(node); dof >= 0 && std::abs(excess(dof)) > std::abs(own.pressure))
+      own = {excess(dof), place_of(model_.store().committed().coordinates, node)};
+  const Comm& comm = *mesh.comm();
+  const double largest = max_over_ranks(comm, std::abs(own.pressure));
+  const bool here = std::abs(own.pressure) == largest;
+  // the first rank tells where several have it
+  const int first = static_cast<int>(min_over_ranks(comm, here ? comm.getRank() : comm.getSize()));
+  if (comm.getRank() != first) own = {};
+  const std::vector<double> sum =
+      sum_over_ranks(comm, std::vector<double>{own.pressure, own.place[0], own.place[1], own.place[2]});
+  return {sum[0], {sum[1], sum[2], sum[3]}};
 }
 
 void ExcessPressure::take_start() { Kokkos::deep_copy(initial_, model_.store().committed().value); }

@@ -13,6 +13,13 @@ class ExcessPressure {
   /// Pore pressure less the initial one, corrected for water at rest to the node's present place [Pa], by overlap dof;
   /// 0 without pore fluid.
   NodalView values() const;
+  /// An excess pore pressure [Pa] and where it is [m].
+  struct AtPlace {
+    double pressure = 0;
+    Point place{};
+  };
+  /// The one of the largest magnitude on all ranks; 0 without pore fluid. Collective.
+  AtPlace highest() const;
   /// Takes the committed pressures as the initial ones.
   void take_start();
   /// Pore pressures [Pa] from which the excess is counted, by overlap dof; part of the checkpoint.

@@ -42,7 +42,7 @@ void ProgressLog::step(const RunView& run) {
   std::snprintf(line, sizeof line, "  step %5d  t %.6g s  dt %.3g s  newton %d%s  linear %d%s  about %s left", run.step,
                 run.state.time, run.dt, run.solve.newton_iterations, augmented.c_str(), run.solve.linear_iterations,
                 run.solve.factorisations > 0 ? "" : " (reused)",
-                readable(std::round(wall_step_ * steps_left(run)), "s").c_str());
+                readable(std::round(wall_step_ * steps_left(run)), "s", 2).c_str());
   log::info(line);
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "core/told.hpp"
-#include "integrator/overlap.hpp"
 #include "simulation/excess_pressure.hpp"
 #include "simulation/model.hpp"
 #include "simulation/output/history_file.hpp"
@@ -51,10 +50,7 @@ class Dissipated : public StageEnd {
     if (!model.soil() || model.soil()->pressure < 0) section.fail("the model has no pore pressure", "type");
   }
   double measure(const RunView& run, const std::vector<HistoryValue>&) const override {
-    const NodalView excess = run.pressure.values();
-    double highest = 0;
-    for (std::size_t i = 0; i < excess.extent(0); ++i) highest = std::max(highest, std::abs(excess(i)));
-    return max_over_ranks(*run.model.mesh().comm(), highest);
+    return std::abs(run.pressure.highest().pressure);
   }
   bool reached(double now, double largest) const override { return largest > 0 && now <= (1 - share_) * largest; }
   std::string told_end(double now, double largest) const override {

@@ -15,6 +15,7 @@ TEST(Told, NumbersInUnitsThatAReaderLikes) {
   EXPECT_EQ(readable(11500, "s"), "3.194 h");
   EXPECT_EQ(readable(31557600, "s"), "365.2 days");
   EXPECT_EQ(readable(10 * 31557600.0, "s"), "10 years");
+  EXPECT_EQ(readable(245, "s", 2), "4.1 min");
   EXPECT_EQ(readable(0.06, "m"), "60 mm");
   EXPECT_EQ(readable(-12.5, "m"), "-12.5 m");
   EXPECT_EQ(readable(1.23456e-9, "-"), "1.23e-09");
