@@ -358,9 +358,10 @@ void Checkpoint::read_progress(Model& model, Progress& progress) const {
   for (const auto& [name, value] : data_.scalars)
     if (name.compare(0, stage_end.size(), stage_end) == 0)
       progress.ends[name.substr(stage_end.size())] = scalar(data_, name);
-  // a checkpoint of an earlier version has none
   if (const auto found = data_.texts.find(results); found != data_.texts.end())
     progress.results = ResultTable::from_lines(found->second);
+  else
+    log::warn(path_ + ": a checkpoint of an earlier version, which kept no results: those up to here will be missing");
   if (data_.scalars.count("remesh tried")) progress.remesh_tried = counter(data_, "remesh tried", 2e9);
   if (model.store().committed().time < progress.stage_start && progress.stage_open)
     throw InputError("its time lies before the start of its stage");
