@@ -301,19 +301,26 @@ void RigidBody::advance(const StepView& view) const {
   row(0, 2 * axes) = now.moving_time;
   const bool unknown = unknowns_.count > 0;
   if (unknown && axes == 2) return;
+  for (int i = 0; i < axes && !unknown; ++i) {
+    row(0, i) = now.displacement[i];
+    row(0, axes + i) = now.velocity[i];
+  }
+  if (axes == 3) turn_row(view, now);
+}
+
+void RigidBody::turn_row(const StepView& view, const BodyState& now) const {
+  const PointView &row = view.trial->arrays[array_], &committed = view.committed->arrays[array_];
+  const bool unknown = unknowns_.count > 0;
   // The unknowns rotate the body from its committed rotation.
   const Rotation turn = (unknown ? state_of(*view.committed) : now).turn, before = turn_of_row(*view.committed);
   const bool rests = std::equal(&turn.matrix[0][0], &turn.matrix[0][0] + 9, &before.matrix[0][0]);
   const Point turned = (turn * start_turn_.inverse()).vector();
-  for (int i = 0; i < axes; ++i) {
-    if (axes == 3) row(0, 7 + i) = rests ? view.committed->arrays[array_](0, 7 + i) : turned[i];
-    if (unknown) {
+  for (int i = 0; i < 3; ++i) {
+    row(0, 7 + i) = rests ? committed(0, 7 + i) : turned[i];
+    if (unknown)
       row(0, 13 + i) = view.committed->value(unknowns_.dof[3 + i]);
-      continue;
-    }
-    row(0, i) = now.displacement[i];
-    row(0, axes + i) = now.velocity[i];
-    if (axes == 3) row(0, 10 + i) = now.spin[i];
+    else
+      row(0, 10 + i) = now.spin[i];
   }
 }
 

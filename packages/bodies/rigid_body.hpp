@@ -154,7 +154,10 @@ class RigidBody {
   /// In space: increment of rotation by the unknowns since the state's row was written, along the body's axes, plus
   /// `ahead` [rad].
   Point increment(const State& state, const ConstNodalView* ahead) const;
+  /// In space: the rotation at the start of the last step, from the state's row.
   Rotation turn_of_row(const State& state) const;
+  /// In space: writes the rotation at the start of a step, and the spin of a prescribed motion at its end.
+  void turn_row(const StepView& view, const BodyState& now) const;
   Point in_frame(const BodyPlacement& placement, const Point& x) const;
   /// From the centre of mass to the reference point, in the world frame [m].
   Point arm(const BodyPlacement& placement) const { return -placement.turn(centre_); }
