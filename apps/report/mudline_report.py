@@ -16,7 +16,6 @@ import time
 from pathlib import Path
 
 import numpy as np
-
 from PIL import Image
 
 import report_answer
@@ -78,7 +77,8 @@ class Gallery:
         figure.savefig(data, format="svg" if vector else "png", dpi=115, **options)
         pictures.plt.close(figure)
         if not vector:  # 256 colours are enough for one field, and a third of the size
-            picture = Image.open(data).convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+            picture = Image.open(data).convert("RGB")
+            picture = picture.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
             data = io.BytesIO()
             picture.save(data, "png", optimize=True)
         width = figure.get_size_inches()[0] * 96
@@ -153,7 +153,7 @@ def answer_section(results, history, spans, gallery):
         forces, name, depth, speed = report_answer.body_resistance(history, units, body, results)
         if forces and depth is not None and np.ptp(depth) > 0:
             stages = report_answer.moving_stages(spans, history.time, depth)
-            figure = report_answer.load_figure(body, forces, depth, name, stages, None if speed is None else np.abs(speed))
+            figure = report_answer.load_figure(body, forces, depth, name, stages, speed)
             figures.append(gallery.add(figure, f"resistance {body}", True))
     return page + (f"<div class=row>{''.join(figures)}</div>" if figures else "")
 

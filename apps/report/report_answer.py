@@ -8,6 +8,7 @@ import numpy as np
 import report_pictures as pictures
 from report_result import ReportError
 
+HEADER = ["stage", "of", "quantity", "value", "unit"]
 PLAIN = ("-", "")
 ROUNDING = 1e-9  # [m]
 ORDER = ["stage", "soil"]  # of tables: durations first, the soil last; bodies and conditions between
@@ -20,8 +21,8 @@ class Results:
         self.stages, self.of = [], {}
         with open(path, newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file)
-            if reader.fieldnames != ["stage", "of", "quantity", "value", "unit"]:
-                raise ReportError(f"{path}: not the results of mudline (its first line is not 'stage,of,quantity,value,unit')")
+            if reader.fieldnames != HEADER:
+                raise ReportError(f"{path}: not the results of mudline (its first line is not '{','.join(HEADER)}')")
             for row in reader:
                 try:
                     value = float(row["value"])
@@ -110,9 +111,8 @@ def body_resistance(history, units, body="", results=None):
     if len(reactions) == 1:
         reactions.update(parts_of_reaction(history, up))
     forces = {**reactions, **forces}
-    speed = units.get("m/s", {}).get(f"velocity {up}")
-    if results is None or results.value(body, "speed", results.stages[0] if results.stages else "") is None:
-        speed = None
+    free = results is not None and "speed" in results.of.get(body, {})
+    speed = units.get("m/s", {}).get(f"velocity {up}") if free else None
     moved, displaced = metres.get(f"position {up}"), metres.get(f"displacement {up}")
     if moved is not None and displaced is not None:
         depth = tip_depth(results, body, moved, displaced)
@@ -142,23 +142,29 @@ def load_figure(body, forces, depth, name, stages, speed):
     forces, errors = pictures.split_errors(forces)
     panels = ["depth"] + ["stages"] * (len(stages) > 1) + ["speed"] * (speed is not None)
     with pictures.plt.rc_context(pictures.STYLE):
-        figure, grid = pictures.plt.subplots(1, len(panels), figsize=(4.5 * len(panels), 4.2), squeeze=False, layout="constrained")
+        size = (4.5 * len(panels), 4.2)
+        figure, grid = pictures.plt.subplots(1, len(panels), figsize=size, squeeze=False, layout="constrained")
         factor, unit = pictures.scaled("N", max(np.abs(values).max() for values in forces.values()))
         depth_factor, depth_unit = pictures.scaled("m", np.abs(depth).max())
+        shown = depth * depth_factor
         for panel, axes in zip(panels, grid[0]):
             if panel == "stages":
                 draw_stages(axes, next(iter(forces.values())) * factor, depth, stages)
                 axes.set_ylabel(f"vertical force on {body} [{unit}]")
                 continue
-            for title, values in forces.items() if panel == "depth" else [("speed", speed / factor)]:
-                axes.plot(values * factor, depth * depth_factor, label=title)
-                if title in errors:
-                    pictures.shade_error(axes, "x", values * factor, depth * depth_factor, errors[title] * factor)
+            if panel == "speed":
+                axes.plot(np.abs(speed), shown)
+                axes.set_xlabel("speed [m/s]")
+            else:
+                for title, values in forces.items():
+                    axes.plot(values * factor, shown, label=title)
+                    if title in errors:
+                        pictures.shade_error(axes, "x", values * factor, shown, errors[title] * factor)
+                axes.set_xlabel(f"vertical force on {body} [{unit}]")
+                if len(forces) > 1:
+                    axes.legend(fontsize=8)
             axes.invert_yaxis()
-            axes.set_xlabel(f"vertical force on {body} [{unit}]" if panel == "depth" else "speed [m/s]")
             axes.set_ylabel(f"{name} [{depth_unit}]")
-            if panel == "depth" and len(forces) > 1:
-                axes.legend(fontsize=8)
         return figure
 
 

@@ -64,13 +64,8 @@ std::vector<PenetrationMesh::Curve> PenetrationMesh::hole() const {
     double end = length;
     constexpr int steps = 200;
     for (int k = 1; k <= steps && end == length; ++k)
-      if (height(length * k / steps) >= -tolerance) {
-        double low = length * (k - 1) / steps, high = length * k / steps;
-        for (int halving = 0; halving < 60; ++halving)
-          (height(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
-        end = high;
-        break;
-      }
+      if (height(length * k / steps) >= -tolerance)
+        end = place_at_height(*piece, length * (k - 1) / steps, length * k / steps, mudline_ - place);
     const bool out = height(end) >= -tolerance;
     curves.push_back({"hole", end, [piece, end, place](double s) {
                         const PlanePoint x = piece->point(end - s);

@@ -47,13 +47,8 @@ double ContourVolume::integrate(const ContourPiece& piece, double from, double t
 }
 
 double ContourVolume::crossing(const Run& run, double h) {
-  double below = run.from, above = run.to;
-  if (run.low > run.high) std::swap(below, above);
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (below + above);
-    (run.piece->point(middle)[1] < h ? below : above) = middle;
-  }
-  return 0.5 * (below + above);
+  const bool up = run.low <= run.high;
+  return place_at_height(*run.piece, up ? run.from : run.to, up ? run.to : run.from, h);
 }
 
 // By Green's theorem the volume below h is int flank(x) dy along the contour below h: neither the axis nor the level

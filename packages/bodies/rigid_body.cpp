@@ -301,9 +301,11 @@ void RigidBody::advance(const StepView& view) const {
   row(0, 2 * axes) = now.moving_time;
   const bool unknown = unknowns_.count > 0;
   if (unknown && axes == 2) return;
-  for (int i = 0; i < axes && !unknown; ++i) {
-    row(0, i) = now.displacement[i];
-    row(0, axes + i) = now.velocity[i];
+  if (!unknown) {
+    for (int i = 0; i < axes; ++i) {
+      row(0, i) = now.displacement[i];
+      row(0, axes + i) = now.velocity[i];
+    }
   }
   if (axes == 3) turn_row(view, now);
 }

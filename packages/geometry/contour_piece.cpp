@@ -13,6 +13,14 @@ double distance(const PlanePoint& a, const PlanePoint& b) { return std::hypot(a[
 
 }  // namespace
 
+double place_at_height(const ContourPiece& piece, double below, double above, double height) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (below + above);
+    (piece.point(middle)[1] < height ? below : above) = middle;
+  }
+  return 0.5 * (below + above);
+}
+
 LinePiece::LinePiece(PlanePoint from, PlanePoint to, bool continues_before, bool continues_after)
     : from_(from),
       to_(to),

@@ -29,6 +29,9 @@ class ContourPiece {
   virtual std::shared_ptr<const ContourPiece> mirrored() const = 0;
 };
 
+/// The place s between `below` and `above` at which a piece reaches a height [m]; the piece is lower at `below`.
+double place_at_height(const ContourPiece& piece, double below, double above, double height);
+
 /// A straight line. An end that continues has no end point for closest(): the line runs on for ever there, although
 /// length() (and so every picture) stops.
 class LinePiece : public ContourPiece {

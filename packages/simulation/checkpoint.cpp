@@ -30,6 +30,7 @@ const char* const free_at_start[] = {"functions", "boundary conditions"};
 
 /// Name in the checkpoint of the names and fingerprints of the files of the fields, a line each.
 const char* const field_marks = "field files";
+/// Name in the checkpoint of the results so far, as lines of their table.
 const char* const results = "results";
 
 /// Name in the checkpoint of the mesh of the last remeshing: the number of bytes, and the bytes packed into integers.

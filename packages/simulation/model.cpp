@@ -407,4 +407,9 @@ void Model::prescribe(const Stage& stage, double t_old, double t_end, const Stat
   for (const auto& [name, body] : bodies_) body->prescribe(committed, t_old, t_end, to);
 }
 
+std::size_t Model::index_of(const Stage& stage) const {
+  const auto found = std::find_if(stages_.begin(), stages_.end(), [&](const auto& one) { return one.get() == &stage; });
+  return static_cast<std::size_t>(found - stages_.begin());
+}
+
 }  // namespace mudline

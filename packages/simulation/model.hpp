@@ -41,6 +41,8 @@ class Model {
   const std::shared_ptr<Soil>& soil() const { return soil_; }
   const std::vector<Conserved>& conserved() const { return conserved_; }
   const std::vector<std::unique_ptr<Stage>>& stages() const { return stages_; }
+  /// The index of one of these stages.
+  std::size_t index_of(const Stage& stage) const;
   const std::map<std::string, std::shared_ptr<RigidBody>>& bodies() const { return bodies_; }
   const std::vector<std::pair<std::string, std::unique_ptr<Contact>>>& contacts() const { return contacts_; }
   const std::vector<std::unique_ptr<Condition>>& conditions() const { return conditions_; }

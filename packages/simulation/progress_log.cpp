@@ -20,14 +20,12 @@ constexpr int mean_of = 30;  // steps over which the time of a step is averaged
 void ProgressLog::begin_run(const RunView&) { wall_start_ = wall_last_ = Teuchos::Time::wallTime(); }
 
 double ProgressLog::steps_left(const RunView& run) const {
-  const auto& stages = run.model.stages();
-  auto stage = std::find_if(stages.begin(), stages.end(), [&](const auto& s) { return s.get() == &run.stage; });
   const double rest = run.at_end ? 0.0 : run.stage_start + run.stage.duration - run.state.time;
   double steps = run.stage.control.steps_for(rest, run.dt);
-  if (stage == stages.end()) return steps;
-  for (++stage; stage != stages.end(); ++stage)
-    if ((*stage)->type != Stage::Type::geostatic)
-      steps += (*stage)->control.steps_for((*stage)->duration, (*stage)->control.initial);
+  const auto& stages = run.model.stages();
+  for (std::size_t i = run.model.index_of(run.stage) + 1; i < stages.size(); ++i)
+    if (stages[i]->type != Stage::Type::geostatic)
+      steps += stages[i]->control.steps_for(stages[i]->duration, stages[i]->control.initial);
   return steps;
 }
 

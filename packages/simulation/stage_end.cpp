@@ -81,7 +81,7 @@ class ColumnReaches : public StageEnd {
   }
   bool needs_columns() const override { return true; }
   void check(const std::vector<HistoryValue>& row) override {
-    const HistoryValue* const value = find(row);
+    const HistoryValue* const value = find_value(row, column_);
     if (value == nullptr) {
       std::vector<std::string> known;
       for (const HistoryValue& other : row) known.push_back(other.name);
@@ -101,7 +101,7 @@ class ColumnReaches : public StageEnd {
     }
   }
   double measure(const RunView&, const std::vector<HistoryValue>& row) const override {
-    const HistoryValue* const value = find(row);
+    const HistoryValue* const value = find_value(row, column_);
     return value == nullptr ? 0.0 : value->value;
   }
   bool reached(double now, double largest) const override {
@@ -116,11 +116,6 @@ class ColumnReaches : public StageEnd {
  private:
   static constexpr const char* rises = "rises to";
   static constexpr const char* falls = "falls to";
-
-  const HistoryValue* find(const std::vector<HistoryValue>& row) const {
-    const auto found = std::find_if(row.begin(), row.end(), [&](const HistoryValue& v) { return v.name == column_; });
-    return found == row.end() ? nullptr : &*found;
-  }
 
   std::string column_, unit_;
   double rises_to_ = 0, falls_to_ = 0, falls_by_ = 0.05;

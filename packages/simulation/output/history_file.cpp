@@ -25,6 +25,12 @@ constexpr const char* time_column = "time [s]";
 
 }  // namespace
 
+const HistoryValue* find_value(const std::vector<HistoryValue>& row, const std::string& name) {
+  const auto found =
+      std::find_if(row.begin(), row.end(), [&](const HistoryValue& value) { return value.name == name; });
+  return found == row.end() ? nullptr : &*found;
+}
+
 HistoryFile::HistoryFile(Teuchos::RCP<const Teuchos::Comm<int>> comm, std::string path,
                          std::optional<HistoryRestart> restart)
     : comm_(std::move(comm)), path_(std::move(path)) {

@@ -17,6 +17,9 @@ struct HistoryValue {
   double value;
 };
 
+/// The column of this name in a row; null where there is none.
+const HistoryValue* find_value(const std::vector<HistoryValue>& row, const std::string& name);
+
 /// Length and fingerprint of a history, as a checkpoint keeps them.
 struct HistoryMark {
   long long rows = 0, bytes = 0;
