@@ -140,18 +140,28 @@ void WallDissipation::begin_stage(const RunView& run) {
 void WallDissipation::results(const RunView& run, ResultTable& to) {
   const Model& model = run.model;
   if (!watches(model)) return;
-  const std::string what = "excess pore pressure on the wall";
   const PointView start = rows_of(run);
-  for (std::size_t k = 0; k < model.contacts().size(); ++k) {
-    if (!(start(k, area) > 0)) continue;
-    const Contact& contact = *model.contacts()[k].second;
-    const std::string& body = contact.partners().body->name();
-    if (!rests(model, contact, start, k)) {
-      forget_dissipation(run, body, what, to);
-      continue;
+  NodalView excess;  // of a step in which a body rests
+  for (const auto& [name, body] : model.bodies()) {
+    Dissipation of_wall(run.stage.name, name, wall_pressure, to);
+    double area_before = 0, before = 0, area_now = 0, now = 0;  // [m2], [N] over the body's contacts
+    bool at_rest = true;
+    for (std::size_t k = 0; k < model.contacts().size() && at_rest; ++k) {
+      const Contact& contact = *model.contacts()[k].second;
+      if (contact.partners().body != body.get() || !(start(k, area) > 0)) continue;
+      at_rest = rests(model, contact, start, k);
+      if (!at_rest) continue;
+      if (excess.extent(0) == 0) excess = run.pressure.values();
+      const Wall wall = look(model, contact, excess);
+      area_before += start(k, area);
+      before += start(k, area) * start(k, pressure);
+      area_now += wall.area;
+      now += wall.area * wall.pressure;
     }
-    const double now = look(model, contact, run.pressure.values()).pressure;
-    follow_dissipation(run, body, what, now, std::max(now, start(k, pressure)), to);
+    if (!at_rest)
+      of_wall.forget();
+    else if (area_before > 0 && area_now > 0)
+      of_wall.follow(run.state.time - run.stage_start, run.dt, now / area_now, before / area_before);
   }
 }
 

@@ -13,7 +13,7 @@ class WallDissipation : public Observer {
   void declare_state(Model& model) override;
   /// Notes the walls' state.
   void begin_stage(const RunView& run) override;
-  /// The excess pressure on the wall of a body that rests, and its dissipation.
+  /// The excess pressure on the wall of a body that rests, as a mean over its contacts, and its dissipation.
   void results(const RunView& run, ResultTable& to) override;
   /// Tells the dissipation, or that the mesh does not resolve it.
   void end_stage(const RunView& run) override;

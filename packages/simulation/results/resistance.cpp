@@ -80,7 +80,13 @@ void ResistanceResults::take_start(const RunView& run) {
   for (int node = 0; node < mesh.num_nodes(); ++node)
     highest = std::max(highest, run.state.coordinates(node, mesh.dimension() - 1));
   mudline_ = max_over_ranks(*mesh.comm(), highest);
-  started_ = true;
+}
+
+void ResistanceResults::add_start(const std::string& name, const RigidBody& body, ResultTable& to) const {
+  const double tip = tip_height(body, body.initial_placement());
+  if (!std::isfinite(tip)) return;
+  to.set("", name, mudline_height, "m", *mudline_);
+  to.set("", name, start_depth, "m", *mudline_ - tip);
 }
 
 void ResistanceResults::add_body(const RunView& run, const std::string& name, const RigidBody& body,
@@ -98,12 +104,13 @@ void ResistanceResults::add_body(const RunView& run, const std::string& name, co
     const auto force = over_contacts(run, body, std::string("reaction ") + axis_names[axis]);
     // the horizontal forces on both halves of a symmetric body cancel
     const bool none = axis < up && up == 1 && body.contour().extent() == ContourExtent::half;
-    if (!force || none) continue;
-    add_force(run, name, axis == up ? "resistance" : std::string("force ") + axis_names[axis], *force, remark, to);
-    const double area = section(run, body);
-    if (axis == up && area > 0 && std::isfinite(area))
-      to.set(stage, name, "resistance over its section", "Pa", *force / area);
+    if (force && !none)
+      add_force(run, name, axis == up ? "resistance" : std::string("force ") + axis_names[axis], *force, remark, to);
   }
+  const Result* const resistance = to.find(stage, name, "resistance");
+  const double area = section(run, body);
+  if (resistance != nullptr && area > 0 && std::isfinite(area))
+    to.set(stage, name, "resistance over its section", "Pa", resistance->value / area);
   for (const char* part : {"tip", "shaft"})
     if (const auto force = over_contacts(run, body, std::string(part) + " reaction " + axis_names[up]))
       to.set(stage, name, std::string(part) + " resistance", "N", *force);
@@ -112,11 +119,7 @@ void ResistanceResults::add_body(const RunView& run, const std::string& name, co
 void ResistanceResults::results(const RunView& run, ResultTable& to) {
   for (const auto& [name, body] : run.model.bodies()) {
     if (!has_contact(run.model, *body)) continue;
-    const double tip = tip_height(*body, body->initial_placement());
-    if (started_ && std::isfinite(tip) && to.find("", name, mudline_height) == nullptr) {
-      to.set("", name, mudline_height, "m", mudline_);
-      to.set("", name, start_depth, "m", mudline_ - tip);
-    }
+    if (mudline_ && to.find("", name, mudline_height) == nullptr) add_start(name, *body, to);
     add_body(run, name, *body, to);
   }
   for (const auto& condition : run.model.conditions())

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "simulation/observer.hpp"
 
 namespace mudline {
@@ -16,10 +19,11 @@ class ResistanceResults : public Observer {
   void results(const RunView& run, ResultTable& to) override;
 
  private:
+  /// The mudline and where the tip was at the start.
+  void add_start(const std::string& name, const RigidBody& body, ResultTable& to) const;
   void add_body(const RunView& run, const std::string& name, const RigidBody& body, ResultTable& to) const;
 
-  double mudline_ = 0;    // [m]
-  bool started_ = false;  // this program has seen the run's start
+  std::optional<double> mudline_;  // [m] height; none where the program has gone on from a checkpoint
 };
 
 }  // namespace mudline

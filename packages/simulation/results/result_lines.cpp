@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/told.hpp"
+#include "simulation/results/dissipation.hpp"
 
 namespace mudline {
 
@@ -20,7 +21,7 @@ class Line {
     add_depth();
     for (const char* force : forces_) add_force(force);
     add_excess("excess pore pressure");
-    add_excess("excess pore pressure on the wall");
+    add_excess(wall_pressure);
     add_rest();
     return parts_.empty() ? "" : head() + of_ + ": " + parts_;
   }
@@ -85,11 +86,10 @@ class Line {
     const Result *const found = take(name), *const depth = take("depth at the " + name),
                         *const time = take("time of the " + name);
     const double near = 0.005 * std::abs(force.value);
-    if (found == nullptr || rests() || sign * found->value <= std::abs(force.value) + near) return "";
+    if (found == nullptr || rested(all_, stage_, of_) || sign * found->value <= std::abs(force.value) + near) return "";
     return (sign > 0 ? ", at most " : ", at least ") + value(*found) +
            (depth != nullptr ? " at " + value(*depth) : "") + (time != nullptr ? " after " + value(*time) : "");
   }
-  bool rests() const { return all_.find(stage_, of_, "excess pore pressure on the wall at the end") != nullptr; }
 
   void add_excess(const std::string& name) {
     const Result *const highest = take("highest " + name), *const end = take(name + " at the end");

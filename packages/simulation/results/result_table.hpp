@@ -8,8 +8,8 @@ namespace mudline {
 /// One number that a run answers.
 struct Result {
   std::string stage;     // "": of the whole run
-  std::string of;        // a body, a condition, or what else it belongs to: "pile", "pore pressure"
-  std::string quantity;  // "peak resistance"
+  std::string of;        // a body, a condition, or what else it belongs to: "pile", "soil"
+  std::string quantity;  // "highest resistance"
   std::string unit;      // "N"
   double value;
 };

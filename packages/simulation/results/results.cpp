@@ -10,6 +10,7 @@
 #include "simulation/output/atomic_file.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/history_file.hpp"
+#include "simulation/results/dissipation.hpp"
 #include "simulation/results/result_lines.hpp"
 
 namespace mudline {
@@ -19,9 +20,8 @@ namespace {
 constexpr std::size_t most_lines = 10;
 
 std::optional<double> column(const std::vector<HistoryValue>& row, const std::string& name) {
-  const auto found =
-      std::find_if(row.begin(), row.end(), [&](const HistoryValue& value) { return value.name == name; });
-  return found == row.end() ? std::nullopt : std::optional(found->value);
+  const HistoryValue* const found = find_value(row, name);
+  return found == nullptr ? std::nullopt : std::optional(found->value);
 }
 
 /// The error of the energy balance over the largest of its parts [-]; nothing where there is no such balance.
@@ -51,16 +51,15 @@ void Results::end_stage(const RunView& run) {
 
 void Results::add_set_up(const RunView& run) {
   const auto& stages = run.model.stages();
-  const auto present = std::find_if(stages.begin(), stages.end(), [&](const auto& s) { return s.get() == &run.stage; });
-  if (present - stages.begin() < 2) return;
-  const std::string &rest = (*(present - 1))->name, &before = (*(present - 2))->name, &now = run.stage.name;
+  const std::size_t present = run.model.index_of(run.stage);
+  if (present < 2) return;
+  const std::string &before = stages[present - 2]->name, &rest = stages[present - 1]->name, &now = run.stage.name;
   for (const auto& [name, body] : run.model.bodies()) {
-    const Result *const highest = table_.find(now, name, "highest resistance"), *const driven = table_.find(
-                                                                                    before, name, "resistance");
-    const bool rested = table_.find(rest, name, "excess pore pressure on the wall at the end") != nullptr;
     // what a free body finds at its end is its weight
-    const bool prescribed = body->unknowns().count == 0;
-    if (prescribed && rested && highest != nullptr && driven != nullptr && highest->value > 0 && driven->value > 0)
+    if (body->unknowns().count > 0 || !rested(table_, rest, name)) continue;
+    const Result* const driven = table_.find(before, name, "resistance");
+    const Result* const highest = table_.find(now, name, "highest resistance");
+    if (highest != nullptr && driven != nullptr && highest->value > 0 && driven->value > 0)
       table_.set(now, name, "set-up ratio", "-", highest->value / driven->value);
   }
 }
