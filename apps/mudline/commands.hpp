@@ -43,8 +43,12 @@ struct PointCommand {
 
 /// Rank in MPI_COMM_WORLD; 0 where the command runs without MPI.
 int rank();
-/// Reads the files on rank 0; every rank gets the text and the settings.
+/// Reads the files on rank 0; every rank gets the text and the settings. A deck that is 'based on' one of the program's
+/// own is laid over that.
 Deck read_deck(const DeckOptions& options);
+/// Names of the program's own decks, on which others may be based, and the file of one.
+std::vector<std::string> base_decks();
+std::string base_deck_file(const std::string& name);
 /// Default name of the results, taken from the first deck's file.
 std::string result_name(const DeckOptions& options);
 /// Throws InputError for a function that no entry of the deck names; not where overlays or settings may have replaced
@@ -54,7 +58,10 @@ void refuse_unused_functions(const Section& root);
 bool is_point_deck(const Deck& deck);
 /// The documentation of all types and sections, with the types of a plugin ("": none).
 std::vector<EntryDoc> documentation(const std::string& plugin);
-/// The command line of a Python script of mudline, "report" or "sweep".
+/// A file or folder of the program's own: in the source tree, or in share/ of an installation. RunError where it is
+/// not there.
+std::string shared_file(const std::string& name);
+/// The command line of a Python script of mudline: "report", "sweep" or "new".
 std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments);
 /// The words as exec takes them, with a null at the end; they point into `command`.
 std::vector<char*> argv_of(std::vector<std::string>& command);

@@ -13,6 +13,7 @@
 #include "checks/plausibility.hpp"
 #include "commands.hpp"
 #include "core/documentation.hpp"
+#include "core/run_error.hpp"
 #include "core/search_docs.hpp"
 #include "discretisation/gmsh_library.hpp"
 #include "simulation/plugin.hpp"
@@ -84,23 +85,22 @@ int explain(const std::string& name, const std::string& plugin) {
   return 0;
 }
 
-std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments) {
-  // The script lies beside the program in the source tree, or in share/ of an installation.
-  const std::string file = name + "/mudline_" + name + ".py";
+std::string shared_file(const std::string& name) {
   std::vector<std::string> places;
   if (const char* given = std::getenv("MUDLINE_SCRIPTS")) places.push_back(given);
   places.push_back(MUDLINE_SCRIPTS);
   const auto self = std::filesystem::read_symlink("/proc/self/exe");
   places.push_back((self.parent_path().parent_path() / "share/mudline").string());
-  for (const std::string& place : places) {
-    const std::string script = place + "/" + file;
-    if (!std::filesystem::exists(script)) continue;
-    std::vector<std::string> command{std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3",
-                                     script};
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    return command;
-  }
-  throw std::runtime_error("the script of '" + name + "' is not installed");
+  for (const std::string& place : places)
+    if (std::filesystem::exists(place + "/" + name)) return place + "/" + name;
+  throw RunError("a part of mudline is not installed: " + name);
+}
+
+std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3",
+                                   shared_file(name + "/mudline_" + name + ".py")};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
 }
 
 std::vector<char*> argv_of(std::vector<std::string>& command) {

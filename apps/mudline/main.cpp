@@ -199,7 +199,10 @@ Command explain_command(CLI::App& app) {
 }
 
 Command template_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("template", "print a commented deck of a physics, or the section of any type");
+  CLI::App* command =
+      app.add_subcommand("template",
+                         "print a whole deck (of a physics, or what `new` stands on), or the section of "
+                         "any type");
   const auto name = std::make_shared<std::string>();
   command->add_option("name", *name, "e.g. biot")->required();
   command->footer("example: mudline template biot > my_deck.xml");
@@ -227,6 +230,8 @@ std::vector<Command> all_commands(CLI::App& app, const std::vector<std::string>&
                          "results/cone_indentation -o cone.html", words_after),
           script_command(app, "sweep", "run a deck for several values of something, gather and plot the results",
                          "inputs/cpt/backbone.xml --jobs 2", words_after),
+          script_command(app, "new", "write a deck from a few numbers: an anchor, a pile, a cone, ...",
+                         "pile --diameter \"0.5 m\" --depth \"6 m\"", words_after),
           {app.add_subcommand("version", "version, compiler and libraries"), [] { return cli::version(); }}};
 }
 

@@ -38,10 +38,30 @@ std::string read_everywhere(const Comm& comm, const std::string& path) {
 
 }  // namespace
 
+std::string base_deck_file(const std::string& name) { return shared_file("new/decks/" + name + ".xml"); }
+
+std::vector<std::string> base_decks() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(shared_file("new/decks")))
+    if (file.path().extension() == ".xml") names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 Deck read_deck(const DeckOptions& options) {
   Deck deck;
   const auto comm = Tpetra::getDefaultComm();
   for (const std::string& path : options.decks) deck.overlay(read_everywhere(*comm, path), path);
+  for (;;) {  // a base may be based on another one
+    const std::string entry = "based on", position = deck.position(entry), name = deck.take_text(entry);
+    if (name.empty()) break;
+    const std::vector<std::string> names = base_decks();
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError(position + ": " + entry + ": the program has no deck '" + name + "'" + suggestion(name, names));
+    Deck base;
+    base.overlay(read_everywhere(*comm, base_deck_file(name)), base_deck_file(name));
+    deck.base_on(base);
+  }
   for (const std::string& setting : options.settings) deck.set(setting);
   return deck;
 }

@@ -14,6 +14,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
+#include "simulation/branch.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/run.hpp"
 #include "simulation/run_start.hpp"
@@ -34,12 +35,21 @@ struct Loaded {
   Observers observers;
 };
 
-std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {
+/// A branch and the deck that it is one of.
+struct BranchOf {
+  const Branch& branch;
+  const Loaded& main;
+};
+
+/// `of`: what the deck is a branch of; null: it is none.
+std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts,
+                             const BranchOf* of = nullptr) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
   loaded->deck = deck;
   register_all(loaded->registries);
   loaded->root = std::make_unique<Section>(loaded->deck.root());
+  if (of) of->branch.check(of->main.deck, loaded->deck);
   if (loaded->root->has_section("tests"))
     loaded->root->fail("tests of material points are no part of a run; `mudline point` runs them", "tests");
   loaded->root->allow_parameters({});
@@ -51,9 +61,13 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   agree(*comm, [&] { mesh_recipe(*loaded->root, loaded->registries); });
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
+  if (of) loaded->output.name = of->branch.result_name(of->main.output.name);
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
   check_deck(*loaded->model, *loaded->root);
-  agree(*comm, [&] { loaded->start = RunStart::read(loaded->root->section("start"), loaded->output.stem()); });
+  agree(*comm, [&] {
+    loaded->start = of ? RunStart::at(of->main.output.stem(), of->branch.from())
+                       : RunStart::read(loaded->root->section("start"), loaded->output.stem());
+  });
   loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
   loaded->observers = read_observers(loaded->root->section("output"), loaded->registries.observers, *loaded->model);
   const std::vector<std::string> unused = loaded->root->unused();
@@ -76,53 +90,101 @@ void describe(const Model& model) {
 
 }  // namespace
 
-int run(const RunCommand& command) {
-  const auto loaded = load(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
-  describe(*loaded->model);
-  loaded->plausibility->print();
-  const Comm& comm = *loaded->model->mesh().comm();
-  if (!command.restart) agree(comm, [&] { loaded->start.find(loaded->root->section("start")); });
+namespace {
+
+ExitCode run_one(Loaded& loaded, const RunCommand& command) {
+  describe(*loaded.model);
+  loaded.plausibility->print();
+  const Comm& comm = *loaded.model->mesh().comm();
+  if (!command.restart) agree(comm, [&] { loaded.start.find(loaded.root->section("start")); });
   // the folder is made before the run, so that a wrong one is an error of the deck
-  agree(comm, [&] { loaded->output.make_folder(loaded->root->section("output")); });
-  catch_signals();
+  agree(comm, [&] { loaded.output.make_folder(loaded.root->section("output")); });
   RunOptions options;
   options.restart = command.restart;
   options.accept_changes = command.accept_changes;
   options.overwrite = command.overwrite;
-  options.start = loaded->start.checkpoint();
+  options.start = loaded.start.checkpoint();
   options.maximum_steps = command.steps;
-  const Origin origin{loaded->deck.to_xml(),
+  const Origin origin{loaded.deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
                       std::string("mudline ") + MUDLINE_VERSION};
-  const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](std::shared_ptr<const RemeshedMesh> mesh) {
-    return std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{"", std::move(mesh)});
+  const auto on_mesh = [&loaded, comm = loaded.model->mesh().comm()](std::shared_ptr<const RemeshedMesh> mesh) {
+    return std::make_unique<Model>(comm, *loaded.root, loaded.registries, MeshOrigin{"", std::move(mesh)});
   };
   Observers watchers;
-  watchers.push_back(std::make_unique<PenetrationWatch>(loaded->plausibility->usual()));
-  for (auto& observer : loaded->observers) watchers.push_back(std::move(observer));
-  Run run(std::move(loaded->model), on_mesh, loaded->output, origin, options, std::move(watchers));
-  return static_cast<int>(run.execute());
+  watchers.push_back(std::make_unique<PenetrationWatch>(loaded.plausibility->usual()));
+  for (auto& observer : loaded.observers) watchers.push_back(std::move(observer));
+  Run run(std::move(loaded.model), on_mesh, loaded.output, origin, options, std::move(watchers));
+  return run.execute();
+}
+
+/// The deck's own run and its branches. All of them are read and checked before the first one begins.
+class Family {
+ public:
+  Family(Deck deck, const std::string& name, std::string mesh_parts) : mesh_parts_(std::move(mesh_parts)) {
+    branches_ = Branch::take(deck);
+    main_ = load(deck, name, mesh_parts_);
+    for (const Branch& branch : branches_) load_branch(branch);
+  }
+
+  Loaded& main() const { return *main_; }
+  const std::vector<Branch>& branches() const { return branches_; }
+  std::unique_ptr<Loaded> load_branch(const Branch& branch) const {
+    Deck deck;  // a copy: the formulas of a deck that is read are replaced
+    deck.overlay(branch.deck());
+    const BranchOf of{branch, *main_};
+    return load(deck, main_->output.name, mesh_parts_, &of);
+  }
+
+ private:
+  std::string mesh_parts_;
+  std::vector<Branch> branches_;
+  std::unique_ptr<Loaded> main_;
+};
+
+}  // namespace
+
+int run(const RunCommand& command) {
+  Family family(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
+  catch_signals();
+  ExitCode code = run_one(family.main(), command);
+  if (code != ExitCode::done) return static_cast<int>(code);
+  for (const Branch& branch : family.branches()) {
+    const auto loaded = family.load_branch(branch);
+    if (command.steps > 0 && !std::filesystem::exists(loaded->start.checkpoint())) {
+      log::info("branch '" + branch.name() + "' waits for the end of stage '" + branch.from() + "'");
+      continue;
+    }
+    log::info("branch '" + branch.name() + "', from the end of stage '" + branch.from() + "'");
+    const ExitCode end = run_one(*loaded, command);
+    if (code == ExitCode::done) code = end;
+    if (end == ExitCode::stopped) break;
+  }
+  return static_cast<int>(code);
 }
 
 namespace {
 
 /// Reads and checks a deck. Null for one with tests at material points, which are checked. InputError.
-std::unique_ptr<Loaded> checked(const DeckOptions& options, const std::string& mesh_parts) {
+std::unique_ptr<Family> checked(const DeckOptions& options, const std::string& mesh_parts) {
   const Deck deck = read_deck(options);
-  if (!is_point_deck(deck)) return load(deck, result_name(options), mesh_parts);
+  if (!is_point_deck(deck)) return std::make_unique<Family>(deck, result_name(options), mesh_parts);
   check_point(deck, result_name(options));
   return nullptr;
 }
 
 int check_one(const DeckOptions& options, const std::string& mesh_parts) {
-  const auto loaded = checked(options, mesh_parts);
-  if (!loaded) return 0;
-  describe(*loaded->model);
-  loaded->plausibility->print();
+  const auto family = checked(options, mesh_parts);
+  if (!family) return 0;
+  const Loaded& loaded = family->main();
+  describe(*loaded.model);
+  loaded.plausibility->print();
   std::string stages;
-  for (const auto& stage : loaded->model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;
+  for (const auto& stage : loaded.model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;
   log::info("stages: " + stages);
-  if (const std::string& from = loaded->start.checkpoint(); !from.empty())
+  for (const Branch& branch : family->branches())
+    log::info("branch '" + branch.name() + "' goes on from the end of stage '" + branch.from() + "'");
+  if (const std::string& from = loaded.start.checkpoint(); !from.empty())
     log::info("it starts from " + from + (std::filesystem::exists(from) ? "" : ", which is not there yet"));
   log::info("the deck is valid");
   return 0;
@@ -136,8 +198,8 @@ int check_each(const DeckOptions& options) {
   for (const std::string& path : options.decks) {
     std::string answer = path + ": the deck is valid";
     try {
-      if (const auto loaded = checked({{path}, options.settings}, ""))
-        for (const std::string& doubt : loaded->plausibility->doubts()) log::warn(path + ": " + doubt);
+      if (const auto family = checked({{path}, options.settings}, ""))
+        for (const std::string& doubt : family->main().plausibility->doubts()) log::warn(path + ": " + doubt);
     } catch (const InputError& error) {
       answer = std::string("error: ") + error.what();
       code = 2;

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <fstream>
 #include <iostream>
 
 #include "commands.hpp"
@@ -110,7 +112,11 @@ int print_template(const std::string& name) {
     if (rank() == 0) std::cout << deck_of(name);
     return 0;
   }
-  std::vector<std::string> names;
+  std::vector<std::string> names = base_decks();
+  if (std::find(names.begin(), names.end(), name) != names.end()) {
+    if (rank() == 0) std::cout << std::ifstream(base_deck_file(name)).rdbuf();
+    return 0;
+  }
   for (const EntryDoc& entry : docs) {
     names.push_back(entry.name);
     if (entry.name != name) continue;

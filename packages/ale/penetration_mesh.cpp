@@ -51,6 +51,7 @@ void PenetrationMesh::read_body(const Section& bodies, const BodyRegistries& reg
         "a penetration mesh is for bodies with a half contour, whose axis is the edge of the mesh", "extent");
   if (body_->initial_position()[0] != 0)
     section.fail("the first value must be 0: the axis of the body is the edge of the mesh", "position");
+  from_surface_ = hole().empty();
 }
 
 std::vector<PenetrationMesh::Curve> PenetrationMesh::hole() const {
@@ -71,14 +72,22 @@ std::vector<PenetrationMesh::Curve> PenetrationMesh::hole() const {
                         const PlanePoint x = piece->point(end - s);
                         return PlanePoint{x[0], x[1] + place};
                       }});
-    if (out) {
+    if (out || std::abs(piece->point(length)[0]) < tolerance) {
       std::reverse(curves.begin(), curves.end());
       return curves;
     }
   }
-  position_.fail("body '" + body_name_ + "' is wholly below the mudline, at " + told(mudline_, "%.6g m") +
-                     ": a hole that is closed above it cannot be meshed here; allowed is a body that reaches it",
+  position_.fail("the contour of body '" + body_name_ +
+                     "' ends in the ground, off the axis: it must reach the mudline, at " + told(mudline_, "%.6g m") +
+                     ", or the axis",
                  "body");
+}
+
+double PenetrationMesh::half_width() const {
+  double widest = 0;
+  for (const auto& piece : body_->contour().pieces())
+    for (int k = 0; k <= 20; ++k) widest = std::max(widest, piece->point(piece->length() * k / 20)[0]);
+  return widest;
 }
 
 std::vector<PenetrationMesh::Curve> PenetrationMesh::boundary() const {
@@ -93,22 +102,60 @@ std::vector<PenetrationMesh::Curve> PenetrationMesh::boundary() const {
   const auto refuse = [&](const char* entry, double reach) {
     position_.fail("body '" + body_name_ + "' reaches to " + told(reach, "%.6g m") + " in the ground", entry);
   };
-  double widest = edge[0];
+  double widest = along.empty() ? lip() : edge[0];
   for (const Curve& curve : along)
     for (int k = 0; k <= 20; ++k) widest = std::max(widest, curve.point_at(curve.length * k / 20)[0]);
   if (widest >= width_) refuse("width", widest);
   if (mudline_ - tip[1] >= depth_) refuse("depth", mudline_ - tip[1]);
   std::vector<Curve> curves{line("axis", tip, {0, base}), line("base", {0, base}, {width_, base}),
-                            line("far side", {width_, base}, {width_, mudline_}),
-                            line("seabed", {width_, mudline_}, edge)};
+                            line("far side", {width_, base}, {width_, mudline_})};
+  if (along.empty()) {
+    const PlanePoint corner{lip(), mudline_};
+    curves.push_back(line("seabed", {width_, mudline_}, corner));
+    curves.push_back(line("seabed", corner, edge));
+    return curves;
+  }
+  const PlanePoint top = along.front().point_at(0);
+  const bool buried = top[1] < mudline_ - 1e-9 * depth_;
+  curves.push_back(line("seabed", {width_, mudline_}, buried ? PlanePoint{0, mudline_} : edge));
+  if (buried) curves.push_back(line("axis", {0, mudline_}, top));
   curves.insert(curves.end(), along.begin(), along.end());
   return curves;
 }
 
 double PenetrationMesh::size(const PlanePoint& x) const {
-  const double away = body_->contour().closest({x[0], x[1] - body_->initial_position()[1]}).gap - near_distance_;
-  return std::min(largest_, near_size_ + growth_ * std::max(0.0, away));
+  double away = body_->contour().closest({x[0], x[1] - body_->initial_position()[1]}).gap;
+  // the surface under a body becomes the wall of its hole
+  if (from_surface_) away = std::min(away, std::hypot(std::max(0.0, x[0] - lip()), x[1] - mudline_));
+  return std::min(largest_, near_size_ + growth_ * std::max(0.0, away - near_distance_));
 }
+
+namespace {
+
+/// Lets two triangles meet at vertex 0, the corner between axis and surface, where there is one: its edge across is
+/// turned. All nodes of a single one would be held by axis and body, and its pore pressure would be undetermined.
+void divide_corner(const std::vector<PlanePoint>& points, std::vector<std::array<int, 3>>& triangles) {
+  const auto has = [](const std::array<int, 3>& t, int v) { return std::find(t.begin(), t.end(), v) != t.end(); };
+  const auto at_corner = [&](const std::array<int, 3>& t) { return has(t, 0); };
+  if (std::count_if(triangles.begin(), triangles.end(), at_corner) != 1) return;
+  std::array<int, 3>& corner = *std::find_if(triangles.begin(), triangles.end(), at_corner);
+  std::rotate(corner.begin(), std::find(corner.begin(), corner.end(), 0), corner.end());
+  const int a = corner[1], b = corner[2];
+  for (std::array<int, 3>& other : triangles) {
+    if (&other == &corner || !has(other, a) || !has(other, b)) continue;
+    const int far = *std::find_if(other.begin(), other.end(), [&](int v) { return v != a && v != b; });
+    const auto turns = [&](int from, int to) {
+      const PlanePoint p = points[from] - points[0], q = points[to] - points[0];
+      return p[0] * q[1] - p[1] * q[0] > 0;
+    };
+    if (!turns(a, far) || !turns(far, b)) return;
+    corner = {0, a, far};
+    other = {0, far, b};
+    return;
+  }
+}
+
+}  // namespace
 
 GlobalMesh PenetrationMesh::generate() const {
   constexpr int parts = 64;  // of a curve; in each of them the size is smooth
@@ -138,6 +185,7 @@ GlobalMesh PenetrationMesh::generate() const {
   } catch (const NoTriangulation& reason) {
     position_.fail(std::string("the soil around the body cannot be meshed: ") + reason.what(), "body");
   }
+  if (from_surface_) divide_corner(made.points, made.triangles.front());
   SimplexMesh simplices(region_, order_ == 2 ? CellShape::tri6 : CellShape::tri3);
   for (const PlanePoint& x : made.points) simplices.places.push_back(on_plane(x));
   for (const auto& t : made.triangles.front()) simplices.add(0, {t[0], t[1], t[2], -1});

@@ -12,9 +12,11 @@
 namespace mudline {
 
 /// A plane mesh of soil under a level mudline, x >= 0, around a rigid body with a half contour. The soil's boundary
-/// follows the contour exactly where that is below the mudline, mid-side nodes too; a body that touches the mudline
-/// from above leaves it whole. Triangles grow with the distance from the body. Side sets: axis, base, far side, seabed,
-/// hole (along the body, where it is in the ground), and surface, which is seabed and hole.
+/// follows the contour exactly where that is below the mudline, mid-side nodes too; a body may be buried. One that
+/// touches the mudline from above leaves it whole, with a vertex at 1.04 of the body's half width: the lip of the hole
+/// that it will make, whose wall the sides under the body become. Triangles grow with the distance from the body. Side
+/// sets: axis, base, far side, seabed, hole (along the body, where it is in the ground), and surface, which is seabed
+/// and hole.
 class PenetrationMesh : public MeshSource {
  public:
   void parameters(Parameters& p);
@@ -31,8 +33,13 @@ class PenetrationMesh : public MeshSource {
     std::function<PlanePoint(double s)> point_at;  // s [m] from its start
   };
   std::vector<Curve> boundary() const;
-  /// The parts of the contour below the mudline, from the mudline down to the tip.
+  /// The parts of the contour below the mudline, from the mudline, or the body's top, down to the tip.
   std::vector<Curve> hole() const;
+  /// Largest half width of the body [m].
+  double half_width() const;
+  /// Radius of the vertex under the edge of a body that begins at the surface [m]; at the half width itself the body's
+  /// edge would catch it.
+  double lip() const { return 1.04 * half_width(); }
   /// Wanted length of the sides at a point [m].
   double size(const PlanePoint& x) const;
 
@@ -44,6 +51,7 @@ class PenetrationMesh : public MeshSource {
   int order_ = 2;
   SourcePosition position_;
   std::shared_ptr<const RigidBody> body_;
+  bool from_surface_ = false;  // the body is not in the ground at the start
 };
 
 }  // namespace mudline

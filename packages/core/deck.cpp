@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/deck_changes.hpp"
 #include "core/deck_xml.hpp"
 #include "core/entry.hpp"
 #include "core/errors.hpp"
@@ -14,6 +15,17 @@
 namespace mudline {
 
 namespace {
+
+/// InputError where a variable with a unit gets a value whose unit measures something else: it would be told of at the
+/// entries that follow from the variable, if at all.
+void refuse_other_unit(const Teuchos::ParameterList& list, const std::string& name, const Teuchos::ParameterEntry& now,
+                       const std::string& position, const std::string& path) {
+  if (!lies_in(path, "variables") || !list.isParameter(name) || now.isList()) return;
+  const auto was = parse_quantity(entry_text(list.getEntry(name))), is = parse_quantity(entry_text(now));
+  if (was && is && was->unit.powers != is->unit.powers)
+    throw InputError(position + ": " + path + ": given '" + is->text + "', which measures something else than '" +
+                     was->text + "', the value that it replaces");
+}
 
 /// Entries of `over` replace those of `base`; sections merge.
 void merge(Teuchos::ParameterList& base, Sources& base_sources, const Teuchos::ParameterList& over,
@@ -31,6 +43,7 @@ void merge(Teuchos::ParameterList& base, Sources& base_sources, const Teuchos::P
       merge(base.sublist(name), base_sources, Teuchos::any_cast<Teuchos::ParameterList>(entry.getAny(false)),
             over_sources, full);
     } else {
+      refuse_other_unit(base, name, entry, over_sources.at(full), full);
       base_sources[full] = over_sources.at(full);
       base.setEntry(name, entry);
     }
@@ -119,6 +132,51 @@ void Deck::overlay(const std::string& xml_text, const std::string& file_name) {
   merge(*list_, *sources_, list, sources, "");
 }
 
+void Deck::overlay(const Deck& over) {
+  if (folder_.empty()) folder_ = over.folder_;
+  sources_->insert({"", over.sources_->at("")});
+  merge(*list_, *sources_, *over.list_, *over.sources_, "");
+}
+
+void Deck::base_on(const Deck& base) {
+  Deck whole;
+  whole.folder_ = folder_;
+  whole.sources_->emplace("", sources_->at(""));
+  whole.overlay(base);
+  whole.overlay(*this);
+  *this = whole;
+}
+
+std::string Deck::take_text(const std::string& name) {
+  if (!list_->isParameter(name)) return "";
+  const Teuchos::ParameterEntry entry = list_->getEntry(name);
+  if (entry.isList() || entry_type(entry) != "string" || entry.isType<Formula>())
+    throw InputError(position(name) + ": " + name + ": expected a plain text (type string)");
+  list_->remove(name);
+  return Teuchos::any_cast<std::string>(entry.getAny(false));
+}
+
+Deck Deck::take_section(const std::string& name) {
+  Deck taken;
+  taken.folder_ = folder_;
+  taken.sources_->emplace("", position(name));
+  if (!list_->isParameter(name)) return taken;
+  if (!list_->isSublist(name)) throw InputError(position(name) + ": " + name + ": expected a section (ParameterList)");
+  *taken.list_ = list_->sublist(name);
+  for (const auto& [path, source] : *sources_)
+    if (path.rfind(name + "/", 0) == 0) taken.sources_->emplace(path.substr(name.size() + 1), source);
+  taken_.sublist(name) = *taken.list_;
+  list_->remove(name);
+  return taken;
+}
+
+std::string Deck::position(const std::string& path) const {
+  const auto found = sources_->find(path);
+  if (found != sources_->end()) return found->second;
+  const auto slash = path.rfind('/');
+  return position(slash == std::string::npos ? "" : path.substr(0, slash));
+}
+
 void Deck::set(const std::string& assignment) {
   const std::string position = "--set " + beginning(assignment, 200);
   if (const std::string bad = unfit(assignment); !bad.empty()) throw InputError(position + ": it holds " + bad);
@@ -143,13 +201,14 @@ void Deck::set(const std::string& assignment) {
     throw InputError(position + ": " + path + ": a section; only parameters can be set");
   const auto entry = replacement(*list, names.back(), trim(assignment.substr(equals + 1)));
   refuse_non_finite(entry, position, path);
+  refuse_other_unit(*list, names.back(), entry, position, path);
   list->setEntry(names.back(), entry);
   (*sources_)[path] = position;
 }
 
 Section Deck::root() {
   refuse_misspelt_settings(*list_, *sources_, "");
-  const Variables variables(*list_, *sources_);
+  const Variables variables(*list_, *sources_, taken_);
   auto quantities = std::make_shared<ValuesWithUnits>();
   variables.replace_formulas(*list_, *sources_, *quantities);
   Registry<FunctionDefinition> types("function");

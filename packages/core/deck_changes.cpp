@@ -46,7 +46,9 @@ std::string in_one_line(std::string value) {
 
 }  // namespace
 
-std::string DeckChange::text() const { return path + ": " + in_one_line(now) + ", was " + in_one_line(was); }
+std::string DeckChange::text() const { return path + ": " + values(); }
+
+std::string DeckChange::values() const { return in_one_line(now) + ", was " + in_one_line(was); }
 
 std::vector<DeckChange> deck_changes(const Teuchos::ParameterList& was, const Teuchos::ParameterList& now) {
   std::vector<DeckChange> changes;

@@ -14,6 +14,8 @@ struct DeckChange {
 
   /// "materials/clay/void ratio: 0.9, was 1.2"
   std::string text() const;
+  /// "0.9, was 1.2"
+  std::string values() const;
 };
 
 /// Every parameter in which `now` differs from `was`, by path in the order of `was`, then those that are new. Numbers

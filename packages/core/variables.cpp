@@ -66,8 +66,10 @@ void collect_words(const Teuchos::ParameterList& list, std::set<std::string>& wo
 
 }  // namespace
 
-Variables::Variables(const Teuchos::ParameterList& deck, const Sources& sources) {
+Variables::Variables(const Teuchos::ParameterList& deck, const Sources& sources,
+                     const Teuchos::ParameterList& elsewhere) {
   collect_words(deck, words_);
+  collect_words(elsewhere, words_);
   if (!deck.isSublist(section_name)) {
     std::vector<std::string> sections;
     for (auto it = deck.begin(); it != deck.end(); ++it)

@@ -16,8 +16,9 @@ namespace mudline {
 /// written with others, in any order.
 class Variables {
  public:
-  /// Reads the section of `deck` and works its entries out. InputError with path and line.
-  Variables(const Teuchos::ParameterList& deck, const Sources& sources);
+  /// Reads the section of `deck` and works its entries out. `elsewhere`: a part that was taken out of the deck, whose
+  /// values may name variables too. InputError with path and line.
+  Variables(const Teuchos::ParameterList& deck, const Sources& sources, const Teuchos::ParameterList& elsewhere);
 
   /// Replaces every formula in the deck by its value: {expression} in texts by its text; numbers are expressions of
   /// variables, with or without braces, or quantities, which are entered in `quantities`. InputError with path and

@@ -297,18 +297,18 @@ void Checkpoint::refuse_or_warn(const std::string& difference) const {
   log::warn("going on from the checkpoint of another model: " + difference);
 }
 
-bool Checkpoint::may_change(const std::string& path) const {
+bool Checkpoint::may_change(For use, const std::string& path) {
   const auto lies_here = [&](const char* section) { return lies_in(path, section); };
   return std::any_of(std::begin(free_sections), std::end(free_sections), lies_here) ||
-         (use_ == For::start && std::any_of(std::begin(free_at_start), std::end(free_at_start), lies_here));
+         (use == For::start && std::any_of(std::begin(free_at_start), std::end(free_at_start), lies_here));
 }
 
 void Checkpoint::check_model() const {
   const Deck was = deck_of(old_deck_, path_), now = deck_of(origin_.deck, "deck");
   std::vector<DeckChange> changes = deck_changes(was.list(), now.list());
-  changes.erase(
-      std::remove_if(changes.begin(), changes.end(), [&](const DeckChange& change) { return may_change(change.path); }),
-      changes.end());
+  changes.erase(std::remove_if(changes.begin(), changes.end(),
+                               [&](const DeckChange& change) { return may_change(use_, change.path); }),
+                changes.end());
   if (!changes.empty()) refuse_or_warn(one_line(changes));
 }
 

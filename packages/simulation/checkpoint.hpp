@@ -26,6 +26,9 @@ class Checkpoint {
   Checkpoint(std::string path, For use, const Origin& origin, bool accept_changes)
       : path_(std::move(path)), use_(use), origin_(origin), accept_changes_(accept_changes) {}
 
+  /// Whether an entry of the deck may be another one in what goes on.
+  static bool may_change(For use, const std::string& path);
+
   /// Writes it; the old one stays until the new one is complete. RunError on every rank alike. Collective.
   void write(Model& model, const ExcessPressure& pressure, const Progress& progress, const HistoryOutput& history,
              const FieldOutput& fields) const;
@@ -43,8 +46,6 @@ class Checkpoint {
   void restore_solver(StepSystem& system) const;
 
  private:
-  /// Whether an entry of the deck may have changed since.
-  bool may_change(const std::string& path) const;
   /// Throws InputError for a difference from the checkpoint's model unless the user accepts it; then it warns.
   void refuse_or_warn(const std::string& difference) const;
   void check_model() const;

@@ -1,4 +1,5 @@
 #include "simulation/registries.hpp"
+#include "simulation/branch.hpp"
 
 #include "ale/ale.hpp"
 #include "ale/penetration_mesh.hpp"
@@ -90,6 +91,10 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.stage_ends);
   docs.push_back(fixed("start", "the end of a stage of another run, from which this one goes on; absent: a new start",
                        [](Parameters& p) { RunStart().parameters(p); }));
+  docs.push_back(fixed("branches",
+                       "other runs that go on from the end of a stage of this one, in the order of the deck; one named "
+                       "section each",
+                       [](Parameters& p) { Branch::document(p); }));
   docs.push_back(fixed("solver", "tolerances of the steps", [](Parameters& p) {
     StepTolerances().parameters(p);
     NewtonOptions newton;

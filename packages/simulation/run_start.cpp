@@ -49,12 +49,18 @@ RunStart RunStart::read(const Section& section, const std::string& own_stem) {
   const std::size_t at = start.from_.rfind('@');
   if (at == std::string::npos || at == 0 || at + 1 == start.from_.size())
     section.fail("expected results and a stage, 'results/pile@push', given '" + start.from_ + "'", "from");
-  start.stem_ = start.from_.substr(0, at);
-  start.stage_ = start.from_.substr(at + 1);
+  const std::string stem = start.from_.substr(0, at);
   std::error_code ignored;
-  if (fs::weakly_canonical(start.stem_, ignored) == fs::weakly_canonical(own_stem, ignored))
-    section.fail("'" + start.stem_ + "' are the results of this run itself: give it another output/name", "from");
-  start.checkpoint_ = stage_checkpoint(start.stem_, start.stage_);
+  if (fs::weakly_canonical(stem, ignored) == fs::weakly_canonical(own_stem, ignored))
+    section.fail("'" + stem + "' are the results of this run itself: give it another output/name", "from");
+  return RunStart::at(stem, start.from_.substr(at + 1));
+}
+
+RunStart RunStart::at(const std::string& stem, const std::string& stage) {
+  RunStart start;
+  start.stem_ = stem;
+  start.stage_ = stage;
+  start.checkpoint_ = stage_checkpoint(stem, stage);
   return start;
 }
 

@@ -11,6 +11,8 @@ class RunStart {
  public:
   /// `own_stem`: of the names of this run's files. InputError where the other results are this run's own.
   static RunStart read(const Section& section, const std::string& own_stem);
+  /// The end of a stage of the run whose files begin with `stem`.
+  static RunStart at(const std::string& stem, const std::string& stage);
   /// Looks for the checkpoint. InputError at `section` where there is none.
   void find(const Section& section) const;
   void parameters(Parameters& p);

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 import restart_test
-from mudline_case import ROOT, History, deck_text
+from mudline_case import ROOT, History, deck_text, program
 from restart_test import RestartCase, settings
 
 TERZAGHI = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
@@ -145,6 +145,60 @@ class Start(RestartCase):
         self.assertTrue(np.array_equal(rows, self.whole.data[:21]))
         os.remove(self.result("chain", ".restart"))
         self.refused("results/chain.restart: there is no such checkpoint", *chain, "10")
+
+
+class Branches(RestartCase):
+    """The section `branches`: one command runs a deck and what goes on from its stages in other ways."""
+
+    def deck(self, *branches):
+        return self.write("branches.xml", deck_text("branches", {"branches": {
+            name: {"from": start, "stages": {stage: {"duration": duration}}} for name, start, stage, duration in branches}}))
+
+    def test_is_the_run_that_starts_there(self):
+        self.runs(*ANCHOR, *settings("output/name=anchor"))
+        self.runs(*ANCHOR, *settings("output/name=by_hand", "start/from=results/anchor@fall", "stages/dissipation/duration=2000"))
+        for ranks in (1, 2):
+            deck = self.deck(("soon", "fall", "dissipation", 2000), ("fast pull", "dissipation", "pull-out", 20))
+            self.runs(*ANCHOR, deck, *settings(f"output/name=all{ranks}"), ranks=ranks)
+            if ranks == 1:
+                self.assertEqual(self.content("all1"), self.content("anchor"))
+                self.assertEqual(self.content("all1_soon"), self.content("by_hand"))
+                self.assertEqual(self.content("all1_soon", ".results.csv"), self.content("by_hand", ".results.csv"))
+            else:
+                one, two = (History(self.result(name, ".csv")) for name in ("all1_fast_pull", "all2_fast_pull"))
+                force = next(name for name in one.columns if name.startswith("contact/") and name.endswith("/reaction y"))
+                self.assertAlmostEqual(two.time[-1], 20020.1, delta=1e-6)
+                self.assertLess(np.abs(one[force] - two[force]).max(), 1e-6 * np.abs(one[force]).max())
+
+    def test_interrupted(self):
+        """A branch waits for its stage; --restart goes on with all of them."""
+        deck = self.deck(("soon", "fall", "dissipation", 2000))
+        self.runs(*ANCHOR, deck, *settings("output/name=whole"))
+        done = program(["run", *ANCHOR, deck, *settings("output/name=parts"), "--steps", "5"], 1, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("branch 'soon' waits for the end of stage 'fall'", done.stdout + done.stderr)
+        self.assertFalse(os.path.exists(self.result("parts_soon", ".csv")))
+        self.runs(*ANCHOR, deck, *settings("output/name=parts"), "--restart")
+        for end in ("", "_soon"):
+            self.assertEqual(self.content("parts" + end), self.content("whole" + end))
+
+    def test_refused(self):
+        """Before anything runs, at the line of the branch."""
+        good = ("soon", "fall", "dissipation", 2000)
+        for branches, expected in (
+                ([("soon", "fal", "dissipation", 2000)], "branches.xml:4: branches/soon/from: unknown stage 'fal' (did you mean 'fall'?)"),
+                ([("soon", "fall", "fall", 2)], "branches.xml:7: branches/soon/stages/fall/duration: 2, was 0.1, but that stage is over where "
+                                                "the branch begins"),
+                ([("soon", "pull-out", "pull-out", 2)], "branches/soon/from: there is no stage after 'pull-out'"),
+                ([("a b", *good[1:]), ("a_b", *good[1:])], "branches/a_b: another branch's results have the same name, 'a_b'"),
+                ([("a/b", *good[1:])], "")):
+            self.refused(expected, *ANCHOR, self.deck(*branches))
+        for setting, expected in (
+                ("materials/soil/porosity=0.4", "branches/soon/materials/soil/porosity: 0.4, was 0.5, but a branch goes on with the model of its run"),
+                ("output/name=x", "branches/soon/output/name: the results of a branch are named after the run and the branch"),
+                ("stages/pull-out/durationn=3", "stages/pull-out/durationn: unknown parameter (did you mean 'duration'?)")):
+            self.refused(expected, *ANCHOR, self.deck(good), "--set", "branches/soon/" + setting)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
 
 
 if __name__ == "__main__":

@@ -127,7 +127,41 @@ TEST(PenetrationMesh, BodyOnTheMudline) {
     Soil soil(pile(), above);
     EXPECT_NEAR(soil.area(), width * depth, 1e-12);
     EXPECT_EQ(soil.mesh.side_sets.count("hole"), 0u);
-    EXPECT_NEAR(soil.sides("surface").first, above == 0 ? 0.05 : 0.08, 0.01);
+    // the surface under the body becomes the wall of its hole, whose upper end is a vertex beside the body's edge
+    EXPECT_NEAR(soil.sides("surface").first, 0.05, 0.01);
+    double lip = 0;
+    for (long long node : soil.nodes_of("seabed"))
+      if (const double x = soil.mesh.coordinates[node][0]; std::abs(x - 1.04 * 0.25) < std::abs(lip - 1.04 * 0.25))
+        lip = x;
+    EXPECT_NEAR(lip, 1.04 * 0.25, 1e-12);
+  }
+}
+
+/// Number of elements at a place.
+int elements_at(const GlobalMesh& mesh, const Point& place) {
+  int count = 0;
+  for (const GlobalMesh::Block& block : mesh.blocks)
+    for (long long node : block.nodes) {
+      const Point& x = mesh.coordinates[node];
+      count += std::hypot(x[0] - place[0], x[1] - place[1]) < 1e-9 ? 1 : 0;
+    }
+  return count;
+}
+
+TEST(PenetrationMesh, SeveralElementsAtTheCornerUnderABody) {
+  for (const double size : {0.03, 0.05, 0.07, 0.11})
+    EXPECT_GE(elements_at(Soil(pile(), 0, number_parameter("size near body", size)).mesh, {0, 0}), 2) << size;
+}
+
+TEST(PenetrationMesh, BuriedBody) {
+  Soil soil(text_parameter("type", "cylinder") + number_parameter("diameter", 1), -2.5, "", "plane strain");
+  EXPECT_NEAR(soil.area(), width * depth - pi / 8, 2e-5);
+  EXPECT_LT(soil.off_contour("hole"), 1e-12);
+  EXPECT_EQ(elements_at(soil.mesh, {0, 0}) > 0, true) << "the mudline reaches the axis";
+  for (long long node : soil.nodes_of("axis")) {
+    const Point& x = soil.mesh.coordinates[node];
+    EXPECT_EQ(x[0], 0);
+    EXPECT_TRUE(x[1] > -1.5 - 1e-12 || x[1] < -2.5 + 1e-12) << x[1];
   }
 }
 
@@ -136,7 +170,8 @@ TEST(PenetrationMesh, Refused) {
     const std::string message = input_error([&] { Soil(contour, tip, more); });
     EXPECT_NE(message.find(expected), std::string::npos) << message;
   };
-  refuse(pile(), -2.5, "", "body 'b' is wholly below the mudline, at 0 m");
+  refuse(pile(), -2.5, "",
+         "the contour of body 'b' ends in the ground, off the axis: it must reach the mudline, at 0 m, or the axis");
   refuse(sharp_cone(), -1, number_parameter("largest size", 0.01),
          "size near body: 0.05 is more than the largest size, 0.01");
   EXPECT_NE(input_error([] {

@@ -262,6 +262,65 @@ TEST_F(Overlay, SetErrors) {
             "--set stages/push/duraton=2: stages/push/duraton: unknown parameter (did you mean 'duration'?)");
 }
 
+TEST_F(Overlay, ADeckOnABase) {
+  Deck base;
+  base.overlay(header + "<Parameter name=\"b\" type=\"int\" value=\"1\"/>\n" +
+                   "<ParameterList name=\"s\">\n<Parameter name=\"x\" type=\"int\" value=\"1\"/>\n"
+                   "<Parameter name=\"y\" type=\"int\" value=\"1\"/>\n</ParameterList>\n" +
+                   footer,
+               "/far/base.xml");
+  Deck own;
+  own.overlay(header + "<Parameter name=\"based on\" type=\"string\" value=\"base\"/>\n" +
+                  "<ParameterList name=\"s\">\n<Parameter name=\"x\" type=\"int\" value=\"2\"/>\n</ParameterList>\n" +
+                  footer,
+              "/here/own.xml");
+  EXPECT_EQ(own.take_text("based on"), "base");
+  EXPECT_EQ(own.take_text("based on"), "");
+  own.base_on(base);
+  EXPECT_EQ(own.list().sublist("s").get<int>("x"), 2);
+  EXPECT_EQ(own.list().sublist("s").get<int>("y"), 1);
+  EXPECT_EQ(own.list().get<int>("b"), 1);
+  EXPECT_EQ(own.position("s/x"), "/here/own.xml:4");
+  EXPECT_EQ(own.position("s/y"), "/far/base.xml:5");
+  EXPECT_EQ(own.position("s/z"), own.position("s")) << "of the section around what is not given";
+  EXPECT_EQ(own.root().folder(), "/here");
+  // the base stays as it was
+  EXPECT_EQ(base.list().sublist("s").get<int>("x"), 1);
+}
+
+TEST_F(Overlay, ASectionIsTakenOut) {
+  Deck deck;
+  deck.overlay(header + "<Parameter name=\"p\" type=\"int\" value=\"1\"/>\n<ParameterList name=\"s\">\n" +
+                   "<Parameter name=\"x\" type=\"int\" value=\"1\"/>\n</ParameterList>\n" + footer,
+               "deck.xml");
+  const Deck taken = deck.take_section("s");
+  EXPECT_EQ(taken.list().get<int>("x"), 1);
+  EXPECT_EQ(taken.position("x"), "deck.xml:4");
+  EXPECT_FALSE(deck.list().isParameter("s"));
+  EXPECT_EQ(deck.take_section("s").list().numParams(), 0);
+  EXPECT_EQ(input_error([&] { deck.take_section("p"); }), "deck.xml:2: p: expected a section (ParameterList)");
+  EXPECT_EQ(input_error([&] { deck.take_text("p"); }), "deck.xml:2: p: expected a plain text (type string)");
+}
+
+TEST_F(Overlay, AVariableKeepsWhatItMeasures) {
+  const auto variables = [](const std::string& value) {
+    return header + "<ParameterList name=\"variables\">\n<Parameter name=\"D\" type=\"double\" value=\"" + value +
+           "\"/>\n</ParameterList>\n" + footer;
+  };
+  for (const std::string value : {"50 cm", "0.5", "2*0.25"}) {
+    Deck deck;
+    deck.overlay(variables("0.4 m"), "base.xml");
+    deck.overlay(variables(value), "own.xml");
+    deck.set("variables/D=" + value);
+  }
+  Deck deck;
+  deck.overlay(variables("0.4 m"), "base.xml");
+  const std::string wrong =
+      "variables/D: given '4 kg', which measures something else than '0.4 m', the value that it replaces";
+  EXPECT_EQ(input_error([&] { deck.overlay(variables("4 kg"), "own.xml"); }), "own.xml:3: " + wrong);
+  EXPECT_EQ(input_error([&] { deck.set("variables/D=4 kg"); }), "--set variables/D=4 kg: " + wrong);
+}
+
 TEST(Deck, RoundTripThroughXml) {
   Deck deck;
   deck.overlay(header + R"xml(
