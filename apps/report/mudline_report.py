@@ -4,6 +4,7 @@
 mudline report results/cone                                  # writes results/cone_report.html
 mudline report results/cone.h5 --times 0.05,0.2 --fields "pore pressure,void ratio" -o cone.html
 mudline report results --mirror --png pictures
+mudline report results/pile results/pile_after_a_year        # the first one, compared with the others
 """
 
 import argparse
@@ -19,6 +20,7 @@ import numpy as np
 from PIL import Image
 
 import report_answer
+import report_compare
 import report_pictures as pictures
 import report_point
 import report_space_pictures
@@ -299,7 +301,7 @@ def field_section(result, steps, wanted, options, gallery):
 
 
 def build(options, gallery):
-    fields_path, history_path = find_files(options.result)
+    fields_path, history_path = find_files(options.results[0])
     result = FieldResult(fields_path) if fields_path else None
     history = History(history_path) if history_path else None
     stem = (fields_path or history_path).with_suffix("")
@@ -311,11 +313,13 @@ def build(options, gallery):
     spans = result.stage_spans() if result else []
 
     sections = [("Results", answer_section(results, history, spans, gallery))]
+    if len(options.results) > 1:
+        sections.append(("Comparison", report_compare.comparison(options.results, table, gallery)))
     if result and result.steps:
         steps = choose_steps(result, options.times)
         sections.append(("Fields", field_section(result, steps, options.fields, options, gallery)))
     elif options.fields or options.times:
-        raise ReportError(f"{options.result}: no step with fields was written")
+        raise ReportError(f"{options.results[0]}: no step with fields was written")
     if history is not None and len(history.time):
         if report_point.is_point(history):
             figure = report_point.point_figure({stem.name: history})
@@ -378,7 +382,8 @@ def parse(arguments):
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument(
-        "result", help="result without suffix, its .h5, .xdmf or .csv, or a folder that holds one result"
+        "results", nargs="+", metavar="result",
+        help="result without suffix, its .h5, .xdmf or .csv, or a folder that holds one result; it is compared with further ones"
     )
     parser.add_argument("-o", "--output", help="HTML file (default: <result>_report.html)")
     parser.add_argument(
@@ -410,7 +415,7 @@ def build_patiently(options):
         except (KeyError, RuntimeError, AttributeError) as error:  # what h5py raises for a half-written file
             if attempt + 1 == ATTEMPTS:
                 reason = f"{type(error).__name__}: {error}".splitlines()[0]
-                raise ReportError(f"{options.result}: damaged, or a step is being written ({reason})") from error
+                raise ReportError(f"{', '.join(options.results)}: damaged, or a step is being written ({reason})") from error
             time.sleep(0.5)
 
 

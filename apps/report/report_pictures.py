@@ -270,6 +270,20 @@ def zoom_window(contours, bounds, half):
     return window
 
 
+def body_window(contours, bounds, zoom):
+    """What shows the bodies wholly, where they are much larger than the zoom and much smaller than the mesh; else None."""
+    if not contours or not zoom:
+        return None
+    points = np.vstack(list(contours.values()))
+    low, high = points.min(axis=0), points.max(axis=0)
+    length = (high - low)[1]
+    x_min, x_max, y_min, y_max = bounds
+    if length < 1.5 * (zoom[3] - zoom[2]) or length > 0.3 * (y_max - y_min):
+        return None
+    return [max(x_min, low[0] - 0.3 * length), min(x_max, high[0] + 0.6 * length), max(y_min, low[1] - 0.3 * length),
+            high[1] + 0.2 * length]
+
+
 class FieldPicture:
     """Draws one field of one step: the whole mesh and, where a body acts, its neighbourhood."""
 
@@ -307,8 +321,8 @@ class FieldPicture:
         )
 
         with plt.rc_context({**STYLE, "axes.grid": False}):
-            sky = self.sky()
-            panels = [sky] + ([window] if window else [])
+            whole = body_window(self.contours, self.bounds, window) or self.sky()
+            panels = [whole] + ([window] if window else [])
             height = 4.3
             widths = [np.clip(height * (p[1] - p[0]) / (p[3] - p[2]), 1.4, 6.5) for p in panels]
             if window:

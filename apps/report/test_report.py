@@ -180,6 +180,41 @@ class ReportTest(unittest.TestCase):
         self.assertEqual([*forces], ["face", "tip", "shaft"])
         self.assertEqual((name, list(depth), list(speed)), ("depth of the tip below the mudline", [0.5, 1.5], [0, -1]))
 
+    def test_runs_are_compared(self):
+        """What differs stands in a table with a column for each run; what is the same in all does not."""
+        write_result(self.folder / "other.h5")
+        (self.folder / "other.csv").write_text(HISTORY.replace("4000", "5000"))
+        (self.folder / "cone.results.csv").write_text(RESULTS)
+        (self.folder / "other.results.csv").write_text(RESULTS.replace("3500", "4200").replace("207360", "3600"))
+        results = [self.folder / "cone", self.folder / "other"]
+        code, out, err = self.run_report(*results, "--png", self.folder)
+        self.assertEqual(code, 0, err)
+        table = Path(out.split()[-1]).read_text().partition('<h2 id="comparison">')[2].partition("<h2")[0]
+        for part in ("<th class=number>cone</th><th class=number>other</th>",
+                     "<td>push</td><td>resistance [kN]</td><td class=number>3.5</td><td class=number>4.2</td>",
+                     "<td>half dissipated after</td><td class=number>2.4 days</td><td class=number>3600 s</td>"):
+            self.assertIn(part, table)
+        for same in ("speed", "duration", "error of water"):
+            self.assertNotIn(same, table)
+        self.assertTrue((self.folder / "comparison_cone.png").is_file())
+        (self.folder / "other.results.csv").write_text(RESULTS)
+        self.assertIn("All results are the same.", Path(self.run_report(*results)[1].strip()).read_text())
+        for wrong, message in (([results[0], results[0]], "cone: given twice"), ([results[0], self.folder / "x"], "there is no such result"),
+                               (7 * results, "14 results are too many for one report; allowed are 6")):
+            code, _, err = self.run_report(*wrong)
+            self.assertEqual((code, err.count("\n")), (2, 1))
+            self.assertIn(message, err)
+
+    def test_whole_body_is_shown(self):
+        """The left panel shows a long body wholly where the mesh is much larger, else the whole mesh."""
+        shaft = {"pile": np.array([[0, -60], [0.5, -59], [0.5, -50], [0, -50]])}
+        zoom = report_pictures.zoom_window(shaft, [0, 80, -140, 0], True)
+        self.assertLess(zoom[3], -55)
+        low, high = report_pictures.body_window(shaft, [0, 80, -140, 0], zoom)[2:]
+        self.assertTrue(-64 < low < -61 and -50 < high < -46, (low, high))
+        self.assertIsNone(report_pictures.body_window(shaft, [0, 20, -30, 0], zoom))
+        self.assertIsNone(report_pictures.body_window({}, [0, 80, -140, 0], zoom))
+
     def test_both_signs_are_coloured_around_zero(self):
         for values, expected in (([-3, 4], (-4, 4)), ([-0.1, 4], (-0.1, 4)), ([1, 4], (1, 4))):
             _, _, low, high = report_pictures.colour_range(Field("x", "-", np.array(values, float), False), None)

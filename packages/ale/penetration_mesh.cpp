@@ -118,7 +118,7 @@ std::vector<PenetrationMesh::Curve> PenetrationMesh::boundary() const {
   const PlanePoint top = along.front().point_at(0);
   const bool buried = top[1] < mudline_ - 1e-9 * depth_;
   curves.push_back(line("seabed", {width_, mudline_}, buried ? PlanePoint{0, mudline_} : edge));
-  if (buried) curves.push_back(line("axis", {0, mudline_}, top));
+  if (buried) curves.push_back(line("axis", {0, mudline_}, {0, top[1]}));
   curves.insert(curves.end(), along.begin(), along.end());
   return curves;
 }
@@ -129,33 +129,6 @@ double PenetrationMesh::size(const PlanePoint& x) const {
   if (from_surface_) away = std::min(away, std::hypot(std::max(0.0, x[0] - lip()), x[1] - mudline_));
   return std::min(largest_, near_size_ + growth_ * std::max(0.0, away - near_distance_));
 }
-
-namespace {
-
-/// Lets two triangles meet at vertex 0, the corner between axis and surface, where there is one: its edge across is
-/// turned. All nodes of a single one would be held by axis and body, and its pore pressure would be undetermined.
-void divide_corner(const std::vector<PlanePoint>& points, std::vector<std::array<int, 3>>& triangles) {
-  const auto has = [](const std::array<int, 3>& t, int v) { return std::find(t.begin(), t.end(), v) != t.end(); };
-  const auto at_corner = [&](const std::array<int, 3>& t) { return has(t, 0); };
-  if (std::count_if(triangles.begin(), triangles.end(), at_corner) != 1) return;
-  std::array<int, 3>& corner = *std::find_if(triangles.begin(), triangles.end(), at_corner);
-  std::rotate(corner.begin(), std::find(corner.begin(), corner.end(), 0), corner.end());
-  const int a = corner[1], b = corner[2];
-  for (std::array<int, 3>& other : triangles) {
-    if (&other == &corner || !has(other, a) || !has(other, b)) continue;
-    const int far = *std::find_if(other.begin(), other.end(), [&](int v) { return v != a && v != b; });
-    const auto turns = [&](int from, int to) {
-      const PlanePoint p = points[from] - points[0], q = points[to] - points[0];
-      return p[0] * q[1] - p[1] * q[0] > 0;
-    };
-    if (!turns(a, far) || !turns(far, b)) return;
-    corner = {0, a, far};
-    other = {0, far, b};
-    return;
-  }
-}
-
-}  // namespace
 
 GlobalMesh PenetrationMesh::generate() const {
   constexpr int parts = 64;  // of a curve; in each of them the size is smooth
@@ -170,6 +143,9 @@ GlobalMesh PenetrationMesh::generate() const {
       sets.push_back(curve.set);
     }
   }
+  // an arc that ends on the axis misses it by rounding
+  for (PlanePoint& x : vertices)
+    if (std::abs(x[0]) < 1e-12 * width_) x[0] = 0;
   const int number = static_cast<int>(vertices.size());
   const auto next = [&](int vertex) { return (vertex + 1) % number; };
   std::vector<int> loop(number);
@@ -185,7 +161,6 @@ GlobalMesh PenetrationMesh::generate() const {
   } catch (const NoTriangulation& reason) {
     position_.fail(std::string("the soil around the body cannot be meshed: ") + reason.what(), "body");
   }
-  if (from_surface_) divide_corner(made.points, made.triangles.front());
   SimplexMesh simplices(region_, order_ == 2 ? CellShape::tri6 : CellShape::tri3);
   for (const PlanePoint& x : made.points) simplices.places.push_back(on_plane(x));
   for (const auto& t : made.triangles.front()) simplices.add(0, {t[0], t[1], t[2], -1});

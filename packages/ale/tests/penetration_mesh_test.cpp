@@ -149,8 +149,8 @@ int elements_at(const GlobalMesh& mesh, const Point& place) {
 }
 
 TEST(PenetrationMesh, SeveralElementsAtTheCornerUnderABody) {
-  for (const double size : {0.03, 0.05, 0.07, 0.11})
-    EXPECT_GE(elements_at(Soil(pile(), 0, number_parameter("size near body", size)).mesh, {0, 0}), 2) << size;
+  for (const double growth : {0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 0.8})
+    EXPECT_GE(elements_at(Soil(pile(), 0, number_parameter("growth", growth)).mesh, {0, 0}), 2) << growth;
 }
 
 TEST(PenetrationMesh, BuriedBody) {
