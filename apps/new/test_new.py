@@ -1,4 +1,5 @@
 """`mudline new`: what it asks for, the decks that it writes, and what it refuses."""
+import csv
 import os
 import pty
 import subprocess
@@ -55,6 +56,15 @@ class New(MudlineCase):
             self.assertAlmostEqual(lowest / 4e3, 1, delta=0.01)
             self.assertAlmostEqual(highest / (4e3 + float(growth.split()[0]) * 1e3 * depth), 1, delta=0.01)
             self.assertIn(overconsolidation, clay)
+
+    def test_a_column_consolidates_as_theory_says(self):
+        """Its base has a tenth of the pressure left at T = 1.031."""
+        self.written("column", "--height", "2 m", "--modulus", "3 MPa", "--conductivity", "2e-9 m/s")
+        run = subprocess.run([PROGRAM, "run", "-q", "my_column.xml"], capture_output=True, text=True, cwd=self.folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with open(os.path.join(self.folder, "results", "my_column.results.csv"), newline="") as file:
+            found = {row["quantity"]: float(row["value"]) for row in csv.DictReader(file) if row["of"] == "soil"}
+        self.assertAlmostEqual(found["excess pore pressure nine tenths dissipated after"] / (1.031 * 2**2 / (2e-9 * 3e6 / 9810)), 1, delta=0.01)
 
     def test_asks_on_a_terminal(self):
         terminal, other_end = pty.openpty()

@@ -147,16 +147,22 @@ def answer_section(results, history, spans, gallery):
     page = report_answer.results_tables(results, table) if results else ""
     if history is None or not len(history.time):
         return page
-    figures = []
+    figures, depths = [], []
     for group, units in history.groups().items():
         if not group.startswith("body/"):
             continue
         body = group.split("/", 1)[1]
         forces, name, depth, speed = report_answer.body_resistance(history, units, body, results)
         if forces and depth is not None and np.ptp(depth) > 0:
+            depths.append((depth, name))
             stages = report_answer.moving_stages(spans, history.time, depth)
             figure = report_answer.load_figure(body, forces, depth, name, stages, speed)
             figures.append(gallery.add(figure, f"resistance {body}", True))
+    for group, units in history.groups().items():
+        if group.startswith("cone/") and len(depths) == 1:
+            columns = {name: (unit, values) for unit, curves in units.items() for name, values in curves.items()}
+            figure = report_answer.cone_figure(group.split("/", 1)[1], columns, *depths[0])
+            figures.append(gallery.add(figure, group.replace("/", " "), True))
     return page + (f"<div class=row>{''.join(figures)}</div>" if figures else "")
 
 

@@ -178,3 +178,23 @@ def draw_stages(axes, force, depth, stages):
         axes.plot(way * factor, values, label=stage)
     axes.set_xlabel(f"displacement in the stage [{unit}]")
     axes.legend(fontsize=8)
+
+
+def cone_figure(name, columns, depth, title):
+    """What a cone penetration test measures over depth, depth downwards: a panel for each unit. columns: {name: (unit, values)}"""
+    panels = {}
+    for quantity, (unit, values) in columns.items():
+        panels.setdefault((unit, quantity if unit in PLAIN else ""), {})[quantity] = values
+    with pictures.plt.rc_context(pictures.STYLE):
+        figure, grid = pictures.plt.subplots(1, len(panels), figsize=(3.6 * len(panels), 4.2), squeeze=False, layout="constrained", sharey=True)
+        depth_factor, depth_unit = pictures.scaled("m", np.abs(depth).max())
+        for ((unit, quantity), curves), axes in zip(panels.items(), grid[0]):
+            factor, shown = pictures.scaled(unit, max(np.abs(values).max() for values in curves.values()))
+            for label, values in curves.items():
+                axes.plot(values * factor, depth * depth_factor, label=label)
+            axes.set_xlabel(f"{quantity or name} [{shown}]")
+            if len(curves) > 1:
+                axes.legend(fontsize=8)
+        grid[0][0].invert_yaxis()
+        grid[0][0].set_ylabel(f"{title} [{depth_unit}]")
+        return figure

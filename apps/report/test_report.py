@@ -205,6 +205,22 @@ class ReportTest(unittest.TestCase):
             self.assertEqual((code, err.count("\n")), (2, 1))
             self.assertIn(message, err)
 
+    def test_cone_penetration_test_over_depth(self):
+        """Stresses share a panel, each number has its own."""
+        added = ",cone/s/net cone resistance [Pa],cone/s/excess pore pressure at the filter [Pa],cone/s/pore pressure ratio [-]"
+        lines = HISTORY.splitlines()[:4]
+        rows = [lines[0] + added] + [f"{line},{1e5 * k},{6e4 * k},0.6" for k, line in enumerate(lines[1:])]
+        (self.folder / "cone.csv").write_text("\n".join(rows) + "\n")
+        code, _, err = self.run_report(self.folder / "cone", "--png", self.folder)
+        self.assertEqual(code, 0, err)
+        self.assertTrue((self.folder / "cone_s.png").is_file())
+        columns = {"net cone resistance": ("Pa", np.array([0, 1e5])), "u2": ("Pa", np.array([0, 6e4])), "B": ("-", np.array([0, 0.6]))}
+        axes = report_answer.cone_figure("s", columns, np.array([0.0, 0.1]), "depth").axes
+        self.assertEqual([a.get_xlabel() for a in axes], ["s [kPa]", "B [-]"])
+        self.assertEqual([len(a.lines) for a in axes], [2, 1])
+        self.assertEqual(axes[0].get_ylabel(), "depth [mm]")
+        self.assertGreater(*axes[0].get_ylim())
+
     def test_whole_body_is_shown(self):
         """The left panel shows a long body wholly where the mesh is much larger, else the whole mesh."""
         shaft = {"pile": np.array([[0, -60], [0.5, -59], [0.5, -50], [0, -50]])}

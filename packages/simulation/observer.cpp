@@ -12,8 +12,6 @@ Observers read_observers(const Section& output, const Registry<Observer>& types,
   Observers result;
   for (const std::string& name : section.section_names()) {
     const Section entry = section.section(name);
-    if (types.names().empty() && entry.has_parameter("type"))
-      entry.fail("no type of observer is known: plugins bring them ('plugins/files')", "type");
     result.push_back(types.create(entry));
     result.back()->name = name;
     guarded(entry, "type", "the observer cannot be used", [&] { result.back()->bind(model, entry); });

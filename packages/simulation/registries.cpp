@@ -8,6 +8,7 @@
 #include "integrator/step_control.hpp"
 #include "simulation/output_settings.hpp"
 #include "simulation/plugin.hpp"
+#include "simulation/results/cone_test.hpp"
 #include "simulation/run_start.hpp"
 #include "simulation/stage.hpp"
 
@@ -32,6 +33,8 @@ void register_all(Registries& r) {
   register_stage_ends(r.stage_ends);
   register_linear_solvers(r.linear_solvers);
   register_point_tests(r.point_tests);
+  r.observers.add<ConeTest>("cone penetration test",
+                            "net cone resistance, pore pressure ratio, cone factor and consolidation of a cone");
 }
 
 namespace {

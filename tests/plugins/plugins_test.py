@@ -482,7 +482,7 @@ class Plugins(MudlineCase):
                       self.refused(["check", deck, "--set", "output/observers/wall/contact=fase"]))
         self.assertIn("output/observers/wall/mudlin", self.refused(["check", deck, "--set", "output/observers/wall/mudlin=5"]))
         self.write("without.xml", text_of(deck).replace("{build/wall_profile.so}", "{}"))
-        self.assertIn("output/observers/wall/type: no type of observer is known: plugins bring them ('plugins/files')",
+        self.assertIn("output/observers/wall/type: unknown observer type 'wall profile'",
                       self.refused(["check", "without.xml"]))
 
     def test_observers_of_all_kinds(self):

@@ -4,8 +4,8 @@ program with.
     golden.py record [NAME ...]      runs the decks and writes tests/regression/golden/NAME.csv
     golden.py compare [NAME ...]     runs them again and says which columns differ
 
-NAME is a deck's path below inputs/ without ".xml", say pile/clay. Decks of tests/regression/decks are
-regression/NAME; they cover what no shipped deck does within its first steps, and run to their end. The program is
+NAME is a deck's path below inputs/ without ".xml", say pile/clay. The decks that `mudline new` stands on are new/NAME,
+with their defaults. Decks of tests/regression/decks are regression/NAME; they cover what no shipped deck does within its first steps, and run to their end. The program is
 that of the environment variable MUDLINE. A refactoring keeps them to 1e-9. A change of a default that changes answers
 is compared with the old setting by --set, and the decks are recorded anew with a note of the figure.
 
@@ -34,6 +34,7 @@ from shipped_decks import shipped_decks  # noqa: E402
 
 GOLDEN = HERE / "golden"
 DECKS = HERE / "decks"
+NEW = HERE.parent.parent / "apps" / "new" / "decks"
 LAID_OVER = re.compile(r"Laid over (\S+\.xml)")  # at the head of an overlay in DECKS: a path from that folder
 SECONDS = 5.0   # of a deck
 ROWS = 12
@@ -45,12 +46,15 @@ TIMES = re.compile(r"wall|cpu", re.IGNORECASE)  # columns that no program repeat
 
 
 def all_decks():
-    """{name: files} of the shipped decks and of those in DECKS."""
+    """{name: files} of the shipped decks, of those in DECKS and of those of `mudline new`."""
     decks = shipped_decks()
     for path in sorted(DECKS.glob("*.xml")):
         text = path.read_text()
         below = LAID_OVER.search(text[:text.index("-->")])
         decks["regression/" + path.stem] = ([str(DECKS / below[1])] if below else []) + [str(path)]
+    for path in sorted(NEW.glob("*.xml")):
+        if "<!-- These are given. -->" in path.read_text():
+            decks["new/" + path.stem] = [str(path)]
     return decks
 
 

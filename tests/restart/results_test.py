@@ -5,7 +5,7 @@ import os
 import unittest
 
 import numpy as np
-from mudline_case import History
+from mudline_case import History, deck_text
 from restart_test import RestartCase, settings
 from stages_test import ANCHOR, COLUMN, TERZAGHI
 
@@ -64,6 +64,58 @@ class Results(RestartCase):
         # a new run leaves nothing of the old one
         self.runs(*deck, "--steps", "1")
         self.assertEqual({stage for stage, _, _ in self.results("anchor")}, {"", "fall"})
+
+
+class Sounding(RestartCase):
+    """A cone penetration test: what is told is what the columns of forces and pressures say."""
+    SMALL = settings("variables/push=0.3*diameter", "mesh/size near body=0.05*diameter", "mesh motion/boundary/size near focus=0.07*diameter",
+                     "output/name=cone")
+    AREA = math.pi / 4 * 0.0357**2
+
+    def setUp(self):
+        super().setUp()
+        self.deck = [self.write("cone.xml", deck_text("cone", {"based on": "cpt"})), *self.SMALL]
+
+    def test_figures(self):
+        self.runs(*self.deck)
+        with open(self.result("cone", ".results.csv"), newline="") as file:
+            found = {(row["stage"], row["quantity"]): float(row["value"]) for row in csv.DictReader(file) if row["of"] == "sounding"}
+        history = History(self.result("cone", ".csv"))
+        tip = history["body/cone/position y"]
+        net, u2 = (history[f"cone/sounding/{name}"] for name in ("net cone resistance", "excess pore pressure at the filter"))
+        np.testing.assert_allclose(net, history["contact/cone/tip reaction y"] / self.AREA, rtol=1e-12)
+        np.testing.assert_allclose(history["cone/sounding/cone factor"], net / (2e3 + 1.3e3 * (10 - tip)), rtol=1e-9)
+        np.testing.assert_allclose(history["cone/sounding/pore pressure ratio"], u2 / np.where(net > 0, net, np.inf), rtol=1e-9, atol=1e-12)
+        end = int(np.argmax(history.time > 0.3 * 0.0357 / 0.02 * (1 + 1e-9))) - 1  # last row of the push
+        for quantity in ("net cone resistance", "cone factor", "pore pressure ratio"):
+            self.assertEqual(found["push", quantity], history["cone/sounding/" + quantity][end])
+            self.assertNotIn(("dissipation", quantity), found)
+        half = found["dissipation", "excess pore pressure at the filter half dissipated after"]
+        after, since = u2[end + 1:], history.time[end + 1:] - history.time[end]
+        first = int(np.argmax(np.abs(after) <= 0.5 * found["dissipation", "highest excess pore pressure at the filter"]))
+        self.assertTrue(since[first - 1] < half <= since[first], (since[first - 1], half, since[first]))
+        # rigidity: G/s_u of Modified Cam Clay, the same at all depths
+        ratio = 1.3e3 / 6e3
+        slope = ratio / (0.68**0.8 / 2 - 0.4 * ratio)
+        rest = (3 - 0.6 * slope) / (3 + 1.2 * slope)
+        rigidity = 3 * 0.4 / 2.6 * (1.7 * 9810 / 6e3) / 0.04 * (1 + 2 * rest) / 3 / ratio
+        self.assertAlmostEqual(found["dissipation", "coefficient of consolidation"] / (0.245 * 0.01785**2 * math.sqrt(rigidity) / half), 1, places=9)
+        whole = self.content("cone", ".results.csv")
+        self.runs(*self.deck, "--overwrite", "--steps", "45")
+        self.runs(*self.deck, "--restart")
+        self.assertEqual(self.content("cone", ".results.csv"), whole)
+
+    def test_refused(self):
+        for setting, expected in (
+                ("body=con", "output/observers/sounding/body: unknown body 'con' (did you mean 'cone'?)"),
+                ("strengh=3", "output/observers/sounding/strengh: unknown parameter (did you mean 'strength'?)")):
+            self.refused(expected, *self.deck, "--set", "output/observers/sounding/" + setting)
+        for kind, more, expected in (
+                ("pile", {"body": "pile", "rigidity index": 100.0}, "rigidity index: has no effect without a 'filter'"),
+                ("t-bar", {"body": "bar"}, "type: a cone penetration test is axisymmetric; the mesh is not")):
+            deck = self.write("other.xml", deck_text("other", {"based on": kind, "output": {"observers": {"test": {
+                "type": "cone penetration test", **more}}}}))
+            self.refused("output/observers/test/" + expected, deck)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ import xml.parsers.expat
 
 
 def main(root):
-    decks = [os.path.join(folder, name) for top in ("inputs", "tests") for folder, _, names in os.walk(os.path.join(root, top))
+    decks = [os.path.join(folder, name) for top in ("inputs", "apps", "tests") for folder, _, names in os.walk(os.path.join(root, top))
              for name in names if name.endswith(".xml")]
     if len(decks) < 100:
         sys.exit(f"only {len(decks)} decks found")
