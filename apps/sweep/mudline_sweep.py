@@ -32,6 +32,14 @@ def history(path):
     return {name.rsplit(" [", 1)[0]: data[:, i] for i, name in enumerate(rows[0])}
 
 
+def results(path):
+    """The results of a run by (stage, of, quantity); none where there is no such file."""
+    if not path.is_file():
+        return {}
+    with open(path, newline="", encoding="utf-8") as file:
+        return {(row["stage"], row["of"], row["quantity"]): float(row["value"]) for row in csv.DictReader(file)}
+
+
 def run(sweep, index, folder, program, extra):
     """Exit code of one case; what it prints goes to a log beside its results."""
     case = folder / f"{index + 1:02d}"
@@ -55,7 +63,7 @@ def gather(sweep, folder):
         path = folder / f"{index + 1:02d}" / f"{sweep.path.stem}.csv"
         if not path.is_file():
             raise SweepError(f"case {index + 1} has no history: {path}")
-        columns = history(path)
+        columns = {**history(path), **results(path.with_name(path.stem + ".results.csv"))}
         case = sweep.case(index)
         row = dict(case)
         for name, formula in sweep.results.items():

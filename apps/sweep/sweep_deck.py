@@ -107,7 +107,7 @@ OF_COLUMN = {
 
 class Formula:
     """Arithmetic with variables, pi, the functions above, and first/last/smallest/largest/mean('column of the history');
-    at('column', time) interpolates linearly, within the run."""
+    at('column', time) interpolates linearly, within the run; result('stage', 'of', 'quantity') is one of the run's results."""
 
     def __init__(self, text, where):
         self.where = where
@@ -150,18 +150,31 @@ class Formula:
         name = node.func.id
         if name in FUNCTIONS:
             return FUNCTIONS[name](*(self._value(argument, variables, columns) for argument in node.args))
-        if name not in OF_COLUMN and name != "at":
-            raise SweepError(f"{self.where}: unknown function '{name}'{did_you_mean(name, list(FUNCTIONS) + list(OF_COLUMN) + ['at'])}")
+        if name not in OF_COLUMN and name not in ("at", "result"):
+            known = [*FUNCTIONS, *OF_COLUMN, "at", "result"]
+            raise SweepError(f"{self.where}: unknown function '{name}'{did_you_mean(name, known)}")
         if columns is None:
             raise SweepError(f"{self.where}: '{name}' needs a run's history; here are only variables")
+        if name == "result":
+            return self._result([part.value for part in node.args if isinstance(part, ast.Constant)], columns)
         if len(node.args) != (2 if name == "at" else 1) or not isinstance(node.args[0], ast.Constant) or not isinstance(node.args[0].value, str):
             raise SweepError(f"{self.where}: '{name}' takes one column in quotes{' and a time' if name == 'at' else ''}")
         column = node.args[0].value
         if column not in columns:
-            raise SweepError(f"{self.where}: the history has no column '{column}'{did_you_mean(column, list(columns))}")
+            raise SweepError(f"{self.where}: the history has no column '{column}'{did_you_mean(column, [name for name in columns if isinstance(name, str)])}")
         if name != "at":
             return OF_COLUMN[name](columns[column])
         time, times = self._value(node.args[1], variables, columns), columns["time"]
         if not times[0] <= time <= times[-1]:
             raise SweepError(f"{self.where}: the history goes from {times[0]:.6g} to {times[-1]:.6g} s; asked was {time:.6g} s")
         return float(np.interp(time, times, columns[column]))
+
+    def _result(self, words, columns):
+        """columns: results are in it by (stage, of, quantity)."""
+        if len(words) != 3 or not all(isinstance(word, str) for word in words):
+            raise SweepError(f"{self.where}: 'result' takes stage, what it is of, and quantity, in quotes; the stage of the whole run is ''")
+        known = [key for key in columns if isinstance(key, tuple)]
+        if tuple(words) not in known:
+            names = [" / ".join(key) for key in known]
+            raise SweepError(f"{self.where}: the run has no result '{' / '.join(words)}'{did_you_mean(' / '.join(words), names)}")
+        return columns[tuple(words)]

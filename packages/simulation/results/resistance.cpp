@@ -82,11 +82,15 @@ void ResistanceResults::take_start(const RunView& run) {
   mudline_ = max_over_ranks(*mesh.comm(), highest);
 }
 
-void ResistanceResults::add_start(const std::string& name, const RigidBody& body, ResultTable& to) const {
+void ResistanceResults::add_start(const std::string& name, const RigidBody& body, Geometry geometry,
+                                  ResultTable& to) const {
   const double tip = tip_height(body, body.initial_placement());
   if (!std::isfinite(tip)) return;
   to.set("", name, mudline_height, "m", *mudline_);
   to.set("", name, start_depth, "m", *mudline_ - tip);
+  // forces in plane strain are those of the half that is modelled, by one metre
+  if (body.dimension() == 2 && geometry == Geometry::plane_strain && body.contour().extent() == ContourExtent::half)
+    to.set("", name, modelled_share, "-", 0.5);
 }
 
 void ResistanceResults::add_body(const RunView& run, const std::string& name, const RigidBody& body,
@@ -119,7 +123,8 @@ void ResistanceResults::add_body(const RunView& run, const std::string& name, co
 void ResistanceResults::results(const RunView& run, ResultTable& to) {
   for (const auto& [name, body] : run.model.bodies()) {
     if (!has_contact(run.model, *body)) continue;
-    if (mudline_ && to.find("", name, mudline_height) == nullptr) add_start(name, *body, to);
+    if (mudline_ && to.find("", name, mudline_height) == nullptr)
+      add_start(name, *body, run.model.mesh().geometry(), to);
     add_body(run, name, *body, to);
   }
   for (const auto& condition : run.model.conditions())

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "discretisation/mesh.hpp"
 #include "simulation/observer.hpp"
 
 namespace mudline {
@@ -20,7 +21,7 @@ class ResistanceResults : public Observer {
 
  private:
   /// The mudline and where the tip was at the start.
-  void add_start(const std::string& name, const RigidBody& body, ResultTable& to) const;
+  void add_start(const std::string& name, const RigidBody& body, Geometry geometry, ResultTable& to) const;
   void add_body(const RunView& run, const std::string& name, const RigidBody& body, ResultTable& to) const;
 
   std::optional<double> mudline_;  // [m] height; none where the program has gone on from a checkpoint

@@ -43,6 +43,7 @@ class Line {
   void add_depth() {
     take("height of the mudline");
     take("depth of the tip at the start");
+    take(modelled_share);
     if (const Result* const depth = take("depth of the tip"))
       add("tip " + readable(std::abs(depth->value), "m") + (depth->value < 0 ? " above" : " below") + " the mudline");
     const Result* const speed = take("speed");
@@ -73,7 +74,7 @@ class Line {
   std::string parts_of_resistance() {
     const Result *const tip = take("tip resistance"), *const shaft = take("shaft resistance"),
                         *const mean = take("resistance over its section"), *const ratio = take("set-up ratio");
-    std::string text;
+    std::string text = all_.find("", of_, modelled_share) != nullptr ? " of the half, per metre" : "";
     if (tip != nullptr && shaft != nullptr && shaft->value != 0)
       text += " (tip " + value(*tip) + ", shaft " + value(*shaft) + ")";
     if (mean != nullptr) text += ", " + value(*mean) + " over its section";

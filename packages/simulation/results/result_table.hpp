@@ -5,6 +5,9 @@
 
 namespace mudline {
 
+/// Name of the share of a body whose forces are told, where only a part of it is modelled.
+constexpr const char* modelled_share = "modelled share";
+
 /// One number that a run answers.
 struct Result {
   std::string stage;     // "": of the whole run
