@@ -110,13 +110,15 @@ class Sweeps(unittest.TestCase):
         for row in rows:  # undrained: the water takes the whole load
             self.assertAlmostEqual(float(row["pressure [-]"]), 1.0, delta=0.05)
         self.assertGreater((Path(self.folder.name) / "results" / "loads.png").stat().st_size, 10000)
-        # the same number from the run's results
+        # a number of the run's results
         result = "result('consolidation', 'soil', 'highest excess pore pressure') / load"
         code, out, error = self.sweep(self.write(result=result), "--gather")
         self.assertEqual(code, 0, out + error)
         with open(Path(self.folder.name) / "results" / "loads.csv", newline="") as file:
-            for row in csv.DictReader(file):
-                self.assertAlmostEqual(float(row["pressure [-]"]), 1.0, delta=0.05)
+            shares = [float(row["pressure [-]"]) for row in csv.DictReader(file)]
+        # anywhere in the soil: it oscillates where the surface drains, but is linear in the load
+        self.assertTrue(1 < shares[0] < 1.06, shares)
+        self.assertLess(max(shares) - min(shares), 1e-3)
         for wrong, message in ((result.replace("highest", "higest"), "the run has no result 'consolidation / soil / higest excess pore pressure' "
                                 "(did you mean 'consolidation / soil / highest excess pore pressure'?)"),
                                ("result('soil')", "'result' takes stage, what it is of, and quantity, in quotes")):
