@@ -182,9 +182,10 @@ def draw_stages(axes, force, depth, stages):
 
 def cone_figure(name, columns, depth, title):
     """What a cone penetration test measures over depth, depth downwards: a panel for each unit. columns: {name: (unit, values)}"""
-    panels = {}
-    for quantity, (unit, values) in columns.items():
-        panels.setdefault((unit, quantity if unit in PLAIN else ""), {})[quantity] = values
+    going = np.diff(depth, prepend=depth[0]) > 0  # while the cone rests, its depth tells nothing
+    depth, panels = depth[going], {}
+    for quantity, (unit, values) in sorted(columns.items(), key=lambda column: column[1][0] in PLAIN):
+        panels.setdefault((unit, quantity if unit in PLAIN else ""), {})[quantity] = values[going]
     with pictures.plt.rc_context(pictures.STYLE):
         figure, grid = pictures.plt.subplots(1, len(panels), figsize=(3.6 * len(panels), 4.2), squeeze=False, layout="constrained", sharey=True)
         depth_factor, depth_unit = pictures.scaled("m", np.abs(depth).max())

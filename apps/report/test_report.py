@@ -215,7 +215,9 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(code, 0, err)
         self.assertTrue((self.folder / "cone_s.png").is_file())
         columns = {"net cone resistance": ("Pa", np.array([0, 1e5])), "u2": ("Pa", np.array([0, 6e4])), "B": ("-", np.array([0, 0.6]))}
-        axes = report_answer.cone_figure("s", columns, np.array([0.0, 0.1]), "depth").axes
+        columns = {name: (unit, np.append(values, 9 * values[-1])) for name, (unit, values) in columns.items()}
+        axes = report_answer.cone_figure("s", columns, np.array([0.0, 0.1, 0.1]), "depth").axes  # it rests in the end
+        self.assertLess(axes[1].lines[0].get_xdata().max(), 1)
         self.assertEqual([a.get_xlabel() for a in axes], ["s [kPa]", "B [-]"])
         self.assertEqual([len(a.lines) for a in axes], [2, 1])
         self.assertEqual(axes[0].get_ylabel(), "depth [mm]")
