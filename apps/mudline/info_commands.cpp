@@ -96,9 +96,20 @@ std::string shared_file(const std::string& name) {
   throw RunError("a part of mudline is not installed: " + name);
 }
 
+namespace {
+
+/// The Python of an environment that is active and has what the scripts need; else the system's, for which the packages
+/// are installed.
+std::string python() {
+  const bool environment = std::getenv("VIRTUAL_ENV") != nullptr || std::getenv("CONDA_PREFIX") != nullptr;
+  if (environment && std::system("python3 -c 'import numpy, h5py, matplotlib' >/dev/null 2>&1") == 0) return "python3";
+  return std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
+}
+
+}  // namespace
+
 std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3",
-                                   shared_file(name + "/mudline_" + name + ".py")};
+  std::vector<std::string> command{python(), shared_file(name + "/mudline_" + name + ".py")};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;
 }

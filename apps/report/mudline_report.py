@@ -24,7 +24,7 @@ import report_compare
 import report_pictures as pictures
 import report_point
 import report_space_pictures
-from report_result import FieldResult, History, ReportError, find_files, text
+from report_result import FieldResult, MudlineError, Result, text
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "support"))
 from standard_output import after_output  # noqa: E402
@@ -240,7 +240,7 @@ def choose_fields(result, step, wanted):
     if wanted:
         for name in wanted:
             if name not in available:
-                raise ReportError(f"there is no field '{name}'; known: " + ", ".join(sorted(available)))
+                raise MudlineError(f"there is no field '{name}'; known: " + ", ".join(sorted(available)))
         return wanted
     # Components of vectors are there for who asks for them; their length says enough for an overview.
     whole = [name for name in available if not (name[-2:] in (" x", " y", " z") and name[:-2] in available)]
@@ -262,7 +262,7 @@ def field_drawings(result, steps, options):
     if not result.in_space:
         return [(step, pictures.FieldPicture(result, step, options.mirror, options.zoom)) for step in steps]
     if options.zoom:
-        raise ReportError("--zoom: there is no second panel for a result in space")
+        raise MudlineError("--zoom: there is no second panel for a result in space")
     models = {}  # by mesh, as its last step asks for
     for step in reversed(steps):
         if result.mesh_name(step) not in models:
@@ -307,12 +307,9 @@ def field_section(result, steps, wanted, options, gallery):
 
 
 def build(options, gallery):
-    fields_path, history_path = find_files(options.results[0])
-    result = FieldResult(fields_path) if fields_path else None
-    history = History(history_path) if history_path else None
-    stem = (fields_path or history_path).with_suffix("")
-    results_path = stem.with_name(stem.name + ".results.csv")
-    results = report_answer.Results(results_path) if results_path.is_file() else None
+    files = Result(options.results[0])
+    result = FieldResult(files.fields_path) if files.fields_path else None
+    history, results, stem = files.history, files.results, files.stem
     metadata = result.metadata if result else {}
     deck_name = metadata.get("deck_name", stem.name)
     title = metadata.get("title") or deck_name
@@ -325,7 +322,7 @@ def build(options, gallery):
         steps = choose_steps(result, options.times)
         sections.append(("Fields", field_section(result, steps, options.fields, options, gallery)))
     elif options.fields or options.times:
-        raise ReportError(f"{options.results[0]}: no step with fields was written")
+        raise MudlineError(f"{options.results[0]}: no step with fields was written")
     if history is not None and len(history.time):
         if report_point.is_point(history):
             figure = report_point.point_figure({stem.name: history})
@@ -421,7 +418,7 @@ def build_patiently(options):
         except (KeyError, RuntimeError, AttributeError) as error:  # what h5py raises for a half-written file
             if attempt + 1 == ATTEMPTS:
                 reason = f"{type(error).__name__}: {error}".splitlines()[0]
-                raise ReportError(f"{', '.join(options.results)}: damaged, or a step is being written ({reason})") from error
+                raise MudlineError(f"{', '.join(options.results)}: damaged, or a step is being written ({reason})") from error
             time.sleep(0.5)
 
 
@@ -430,14 +427,14 @@ def main(arguments=None):
     if arguments[:1] == ["--point"]:  # from `mudline point --png`
         try:
             print(report_point.draw(arguments[1:]))
-        except (ReportError, OSError) as error:
+        except (MudlineError, OSError) as error:
             print(f"mudline report: {error}", file=sys.stderr)
             return 2
         return 0
     options = parse(arguments)
     try:
         output, written = build_patiently(options)
-    except (ReportError, OSError) as error:
+    except (MudlineError, OSError) as error:
         print(f"mudline report: {error}", file=sys.stderr)
         return 2
     for path in written:

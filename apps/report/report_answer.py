@@ -1,41 +1,14 @@
 """The first section of a report: the results of a run, <stem>.results.csv, as tables, and resistance over depth."""
 
-import csv
 import html
 
 import numpy as np
 
 import report_pictures as pictures
-from report_result import ReportError
 
-HEADER = ["stage", "of", "quantity", "value", "unit"]
 PLAIN = ("-", "")
 ROUNDING = 1e-9  # [m]
 ORDER = ["stage", "soil"]  # of tables: durations first, the soil last; bodies and conditions between
-
-
-class Results:
-    """The results of a run by what they are of: {of: {quantity: (unit, {stage: value})}}."""
-
-    def __init__(self, path):
-        self.stages, self.of = [], {}
-        with open(path, newline="", encoding="utf-8") as file:
-            reader = csv.DictReader(file)
-            if reader.fieldnames != HEADER:
-                raise ReportError(f"{path}: not the results of mudline (its first line is not '{','.join(HEADER)}')")
-            for row in reader:
-                try:
-                    value = float(row["value"])
-                except (TypeError, ValueError):
-                    raise ReportError(f"{path}:{reader.line_num}: '{row['value']}' is not a number") from None
-                if row["stage"] and row["stage"] not in self.stages:
-                    self.stages.append(row["stage"])
-                quantities = self.of.setdefault(row["of"], {})
-                quantities.setdefault(row["quantity"], (row["unit"], {}))[1][row["stage"]] = value
-
-    def value(self, of, quantity, stage=""):
-        """None where there is none."""
-        return self.of.get(of, {}).get(quantity, ("", {}))[1].get(stage)
 
 
 def whole(value, unit):

@@ -6,7 +6,7 @@ import numpy as np
 
 import report_answer
 import report_pictures as pictures
-from report_result import RESULTS, FieldResult, History, ReportError, find_files
+from report_result import MudlineError, Result
 
 SAME = 1e-9  # of the larger value
 MOST = 6  # runs in one report
@@ -16,13 +16,9 @@ class Run:
     """What is compared of a run: its name, results, history, and the rows of its stages."""
 
     def __init__(self, argument):
-        fields, history = find_files(argument)
-        self.stem = (fields or history).with_suffix("")
-        self.name = self.stem.name
-        path = self.stem.with_name(self.name + RESULTS)
-        self.results = report_answer.Results(path) if path.is_file() else None
-        self.history = History(history) if history else None
-        self.spans = FieldResult(fields).stage_spans() if fields else []
+        files = Result(argument)
+        self.stem, self.name, self.results, self.history = files.stem, files.name, files.results, files.history
+        self.spans = files.fields.stage_spans() if files.fields else []
 
     def forces(self, body):
         """[(stage, displacement in it, vertical force on the body)]"""
@@ -92,12 +88,12 @@ def force_figure(body, curves):
 def comparison(arguments, table, gallery):
     """HTML that compares these results."""
     if len(arguments) > MOST:
-        raise ReportError(f"{len(arguments)} results are too many for one report; allowed are {MOST}")
+        raise MudlineError(f"{len(arguments)} results are too many for one report; allowed are {MOST}")
     runs = [Run(argument) for argument in arguments]
     stems = [run.stem.resolve() for run in runs]
     for stem in stems:
         if stems.count(stem) > 1:
-            raise ReportError(f"{stem.name}: given twice")
+            raise MudlineError(f"{stem.name}: given twice")
     page = tables(runs, table)
     bodies = dict.fromkeys(group.split("/", 1)[1] for run in runs if run.history is not None
                            for group in run.history.groups() if group.startswith("body/"))

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.ticker import LogFormatter
 
 import report_pictures as pictures
-from report_result import History, ReportError
+from report_result import History, MudlineError
 
 
 def is_point(history):
@@ -95,7 +95,7 @@ def draw(arguments):
     tests = {name: History(path) for name, path in zip(names_of(paths), paths)}
     for path, history in zip(paths, tests.values()):
         if not is_point(history):
-            raise ReportError(f"{path}: not a test of `mudline point`")
+            raise MudlineError(f"{path}: not a test of `mudline point`")
     Path(target).parent.mkdir(parents=True, exist_ok=True)
     figure = point_figure(tests)
     figure.savefig(target, dpi=160, format="png", facecolor="white")

@@ -21,6 +21,7 @@ import mudline_report  # noqa: E402
 import report_answer  # noqa: E402
 import report_pictures  # noqa: E402
 from report_result import Field, FieldResult, History, stress_invariants  # noqa: E402
+from mudline import Results  # noqa: E402
 
 
 def write_result(path, with_body=True):
@@ -167,7 +168,7 @@ class ReportTest(unittest.TestCase):
 
     def test_depth_is_that_of_the_tip(self):
         (self.folder / "cone.results.csv").write_text(RESULTS)
-        results = report_answer.Results(self.folder / "cone.results.csv")
+        results = Results(self.folder / "cone.results.csv")
         y = np.array([9.0, 8.0, 8.5])
         np.testing.assert_allclose(report_answer.tip_depth(results, "cone", y, y - 10), [1.5, 2.5, 2.0])
         self.assertIsNone(report_answer.tip_depth(results, "pile", y, y - 10))

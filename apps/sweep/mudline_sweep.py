@@ -18,26 +18,19 @@ import numpy as np
 
 from sweep_deck import Formula, SweepDeck, SweepError
 
+sys.path[1:1] = [str(place / "python") for place in Path(__file__).resolve().parents[1:3]]
+from mudline import MudlineError, Result  # noqa: E402
+
 sys.path.append(str(Path(__file__).resolve().parent.parent / "support"))
 from standard_output import after_output  # noqa: E402
 
 
-def history(path):
-    """Columns of a history file by name, without unit."""
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    data = np.array([[float(value) for value in row] for row in rows[1:]])
-    if not len(data):
-        raise SweepError(f"{path}: no step was finished")
-    return {name.rsplit(" [", 1)[0]: data[:, i] for i, name in enumerate(rows[0])}
-
-
-def results(path):
-    """The results of a run by (stage, of, quantity); none where there is no such file."""
-    if not path.is_file():
-        return {}
-    with open(path, newline="", encoding="utf-8") as file:
-        return {(row["stage"], row["of"], row["quantity"]): float(row["value"]) for row in csv.DictReader(file)}
+def outcome(stem):
+    """The columns of a run's history by name, without unit, and its results by (stage, of, quantity)."""
+    result = Result(stem)
+    if not len(result.history.time):
+        raise SweepError(f"{result.history.path}: no step was finished")
+    return {**result.history.by_name(), **(result.results.all() if result.results else {})}
 
 
 def run(sweep, index, folder, program, extra):
@@ -63,7 +56,7 @@ def gather(sweep, folder):
         path = folder / f"{index + 1:02d}" / f"{sweep.path.stem}.csv"
         if not path.is_file():
             raise SweepError(f"case {index + 1} has no history: {path}")
-        columns = {**history(path), **results(path.with_name(path.stem + ".results.csv"))}
+        columns = outcome(path)
         case = sweep.case(index)
         row = dict(case)
         for name, formula in sweep.results.items():
@@ -123,7 +116,7 @@ def main(arguments):
             writer.writeheader()
             writer.writerows(table)
         draw(sweep, table, f"{stem}.png")
-    except SweepError as error:
+    except (SweepError, MudlineError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     width = max(len(name) for name in table[0])
