@@ -132,6 +132,7 @@ class Family {
   std::unique_ptr<Loaded> load_branch(const Branch& branch) const {
     Deck deck;  // a copy: the formulas of a deck that is read are replaced
     deck.overlay(branch.deck());
+    deck.take_section("start");  // that of the deck's own run
     const BranchOf of{branch, *main_};
     return load(deck, main_->output.name, mesh_parts_, &of);
   }

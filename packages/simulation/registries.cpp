@@ -56,6 +56,13 @@ void append(std::vector<EntryDoc>& to, const Registered& registry) {
 
 std::vector<EntryDoc> document_all(const Registries& r) {
   std::vector<EntryDoc> docs;
+  docs.push_back(fixed("deck", "the root of a deck, with all its sections", [](Parameters& p) {
+    std::string base;
+    p.add(
+        "based on", base,
+        "a deck of the program's own, which `mudline template` prints and over which this one is laid: clay, or those "
+        "of `mudline new`");
+  }));
   docs.push_back(fixed("variables",
                        "numbers, texts and bools, by names of your own; other values name them: 2*D in numbers, {D} in "
                        "texts",

@@ -170,6 +170,12 @@ class Branches(RestartCase):
                 self.assertAlmostEqual(two.time[-1], 20020.1, delta=1e-6)
                 self.assertLess(np.abs(one[force] - two[force]).max(), 1e-6 * np.abs(one[force]).max())
 
+    def test_of_a_run_that_starts_from_another(self):
+        self.runs(*ANCHOR, *settings("output/name=anchor"))
+        deck = self.deck(("soon", "dissipation", "pull-out", 20))
+        self.runs(*ANCHOR, deck, *settings("output/name=late", "start/from=results/anchor@fall"))
+        self.assertAlmostEqual(History(self.result("late_soon", ".csv")).time[-1], 20020.1, delta=1e-6)
+
     def test_interrupted(self):
         """A branch waits for its stage; --restart goes on with all of them."""
         deck = self.deck(("soon", "fall", "dissipation", 2000))
