@@ -61,7 +61,7 @@ std::vector<EntryDoc> documentation(const std::string& plugin);
 /// A file or folder of the program's own: in the source tree, or in share/ of an installation. RunError where it is
 /// not there.
 std::string shared_file(const std::string& name);
-/// The command line of a Python script of mudline: "report", "sweep" or "new".
+/// The command line of a Python script of mudline: "report", "sweep", "new" or "import".
 std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments);
 /// The words as exec takes them, with a null at the end; they point into `command`.
 std::vector<char*> argv_of(std::vector<std::string>& command);

@@ -13,6 +13,7 @@ It needs numpy and h5py; history.frame() needs pandas, fields.grid() needs pyvis
 pressure is positive in compression, as in the files (docs/output_format.md).
 """
 
+from mudline.abaqus import convert as mesh_from_abaqus
 from mudline.deck import Deck, Expression
 from mudline.errors import MudlineError
 from mudline.fields import Field, Fields
@@ -21,4 +22,4 @@ from mudline.program import program, run
 from mudline.result import Result
 from mudline.results import Results
 
-__all__ = ["Deck", "Expression", "Field", "Fields", "History", "MudlineError", "Result", "Results", "program", "run"]
+__all__ = ["Deck", "Expression", "Field", "Fields", "History", "MudlineError", "Result", "Results", "mesh_from_abaqus", "program", "run"]
