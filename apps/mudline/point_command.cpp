@@ -16,6 +16,7 @@
 #include "core/text.hpp"
 #include "materials/conformance/conformance.hpp"
 #include "physics/soil.hpp"
+#include "simulation/branch.hpp"
 #include "simulation/model.hpp"
 #include "simulation/output/history_file.hpp"
 #include "simulation/output_settings.hpp"
@@ -95,6 +96,7 @@ void refuse_ranks() {
 std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name, bool want_tests) {
   auto d = std::make_unique<PointDeck>();
   d->deck = deck;
+  const bool branches = !Branch::take(d->deck).empty();
   register_all(d->registries);
   d->root = std::make_unique<Section>(d->deck.root());
   d->root->allow_parameters({});
@@ -109,6 +111,7 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
   read_tests(*d);
   if (want_tests && d->tests.empty()) d->root->section("tests").fail("no test is given; see `mudline list test`");
   std::vector<std::string> idle;
+  if (branches) idle.emplace_back("branches");
   const std::vector<std::string> read{"variables", "functions", "materials", "tests", "output", "plugins"};
   for (const std::string& name : d->root->section_names()) {
     const std::vector<std::string> unused = d->root->section(name).unused();

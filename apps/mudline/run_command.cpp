@@ -93,8 +93,6 @@ void describe(const Model& model) {
 namespace {
 
 ExitCode run_one(Loaded& loaded, const RunCommand& command) {
-  describe(*loaded.model);
-  loaded.plausibility->print();
   const Comm& comm = *loaded.model->mesh().comm();
   if (!command.restart) agree(comm, [&] { loaded.start.find(loaded.root->section("start")); });
   // the folder is made before the run, so that a wrong one is an error of the deck
@@ -148,6 +146,9 @@ class Family {
 int run(const RunCommand& command) {
   Family family(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
   catch_signals();
+  describe(*family.main().model);
+  family.main().plausibility->print();
+  const std::vector<std::string> told = family.main().plausibility->doubts();
   ExitCode code = run_one(family.main(), command);
   if (code != ExitCode::done) return static_cast<int>(code);
   for (const Branch& branch : family.branches()) {
@@ -157,6 +158,8 @@ int run(const RunCommand& command) {
       continue;
     }
     log::info("branch '" + branch.name() + "', from the end of stage '" + branch.from() + "'");
+    for (const std::string& doubt : loaded->plausibility->doubts())
+      if (std::find(told.begin(), told.end(), doubt) == told.end()) log::warn(doubt);
     const ExitCode end = run_one(*loaded, command);
     if (code == ExitCode::done) code = end;
     if (end == ExitCode::stopped) break;

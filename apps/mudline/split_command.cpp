@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "core/errors.hpp"
 #include "core/log.hpp"
+#include "simulation/branch.hpp"
 #include "simulation/model.hpp"
 #include "simulation/output/mesh_parts_file.hpp"
 #include "simulation/plugin.hpp"
@@ -15,6 +16,7 @@ int split(const SplitCommand& command) {
   if (Tpetra::getDefaultComm()->getSize() > 1)
     throw InputError("split makes the whole mesh on one process: start it without mpirun");
   Deck deck = read_deck(command.deck);
+  Branch::take(deck);  // they have the mesh of the deck's own run
   const Section root = deck.root();
   root.allow_sections([] {
     std::vector<std::string> known = deck_sections();

@@ -170,6 +170,18 @@ class Branches(RestartCase):
                 self.assertAlmostEqual(two.time[-1], 20020.1, delta=1e-6)
                 self.assertLess(np.abs(one[force] - two[force]).max(), 1e-6 * np.abs(one[force]).max())
 
+    def test_other_commands(self):
+        """A mesh that was split serves the branches too; what the deck is doubted for is told once."""
+        deck = self.deck(("soon", "fall", "dissipation", 2000))
+        done = program(["split", *ANCHOR, deck, "--ranks", "2", "-o", "two.parts.h5"], 1, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.runs(*ANCHOR, deck, "--mesh-parts", "two.parts.h5", *settings("output/name=two"), ranks=2)
+        self.assertTrue(os.path.exists(self.result("two_soon", ".results.csv")))
+        self.assertEqual(done.stderr.count("water at rest): give the start"), 1, done.stderr)
+        done = program(["point", os.path.join(ROOT, "inputs", "point", "mcc_triaxial.xml"), deck], 1, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("not needed here and not read: branches", done.stdout + done.stderr)
+
     def test_of_a_run_that_starts_from_another(self):
         self.runs(*ANCHOR, *settings("output/name=anchor"))
         deck = self.deck(("soon", "dissipation", "pull-out", 20))
