@@ -5,6 +5,7 @@
 
 #include "algebra/absolute_product.hpp"
 #include "core/parameters.hpp"
+#include "core/told.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -98,6 +99,37 @@ std::vector<double> Convergence::residual_ratios(const Vector& f) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < norms_.size(); ++i) ratios.push_back(norms_[i] == 0 ? 0.0 : norms_[i] / limits_[i]);
   return ratios;
+}
+
+std::string Convergence::place_of_largest(const Vector& f) const {
+  int field = 0;
+  const auto ratio = [&](int i) { return norms_[i] == 0 ? 0.0 : norms_[i] / limits_[i]; };
+  for (int i = 1; i < space_.num_fields(); ++i)
+    if (ratio(i) > ratio(field)) field = i;
+  const auto values = f.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const Mesh& mesh = space_.mesh();
+  double largest = -1;
+  int place = -1;
+  for (int node = 0; node < mesh.num_owned_nodes(); ++node) {
+    const int dof = space_.node_dof(field)(node);
+    for (int c = 0; dof >= 0 && c < space_.field(field).components; ++c) {
+      const double size = std::abs(values(dof + c, 0));
+      if (!(size > largest)) continue;
+      largest = size;
+      place = node;
+    }
+  }
+  const std::string where = "most of it in '" + space_.field(field).name + "'";
+  const double most = max_over_ranks(*mesh.comm(), largest);
+  if (!(most >= 0)) return where;  // a field without nodes: the motion of a body
+  const int rank = mesh.comm()->getRank(),
+            owner = static_cast<int>(min_over_ranks(*mesh.comm(), largest == most ? rank : mesh.comm()->getSize()));
+  std::string at;
+  for (int i = 0; i < mesh.dimension(); ++i) {
+    const double x = owner == rank ? store_.trial().coordinates(place, i) : -HUGE_VAL;
+    at += (i ? ", " : "") + told(max_over_ranks(*mesh.comm(), x), "%.4g");
+  }
+  return where + " at (" + at + ")";
 }
 
 std::vector<double> Convergence::update_ratios(const Vector& dx, const Vector& x) const {

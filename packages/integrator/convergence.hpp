@@ -35,6 +35,9 @@ class Convergence {
   void measure_rounding(const CrsMatrix& matrix, const Vector& x);
   /// Norms of a residual over those allowed, by field: at most 1 where it has converged.
   std::vector<double> residual_ratios(const Vector& f);
+  /// Where the residual f of the last residual_ratios() is largest, in the field that is farthest from its tolerance:
+  /// "most of it in 'displacement' at (0.2, -1.44)". Collective.
+  std::string place_of_largest(const Vector& f) const;
   /// Norms of the update dx that led to x over those allowed, by field.
   std::vector<double> update_ratios(const Vector& dx, const Vector& x) const;
   /// Whether the last residual is at its rounding.

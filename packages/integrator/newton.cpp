@@ -39,7 +39,7 @@ class FieldTest : public NOX::StatusTest::Generic {
       at_rounding_ = problem_.at_rounding() ? at_rounding_ + 1 : 0;
       worsts_.push_back(worst);
     }
-    log_iteration(iteration, f);
+    log_iteration(iteration, f, NoxVector::of(group.getF()));
     if (!std::isfinite(worst)) return finish(NOX::StatusTest::Failed, "the residual could not be evaluated");
     double worst_update = 0;
     if (iteration > 0) {
@@ -57,8 +57,9 @@ class FieldTest : public NOX::StatusTest::Generic {
                                                  " iterations");
     if (iteration >= maximum_) {
       const std::string text = worst > 1 ? "residual " + short_number(worst) : "update " + short_number(worst_update);
-      return finish(NOX::StatusTest::Failed,
-                    "no convergence in " + std::to_string(iteration) + " iterations (" + text + " of its tolerance)");
+      const std::string place = worst > 1 ? problem_.place_of_largest(NoxVector::of(group.getF())) : "";
+      return finish(NOX::StatusTest::Failed, "no convergence in " + std::to_string(iteration) + " iterations (" + text +
+                                                 " of its tolerance" + (place.empty() ? "" : ", " + place) + ")");
     }
     return status_ = NOX::StatusTest::Unconverged;
   }
@@ -88,7 +89,7 @@ class FieldTest : public NOX::StatusTest::Generic {
       if (!(worsts_[k] > large) || !(std::abs(worsts_[k] - worsts_[k - 2]) <= same * worsts_[k])) return false;
     return true;
   }
-  void log_iteration(int iteration, const std::vector<double>& f) const {
+  void log_iteration(int iteration, const std::vector<double>& f, const Vector& residual) const {
     if (log::level() < log::Level::debug) return;
     std::string line = "    newton " + std::to_string(iteration) + ":";
     for (double r : f) {
@@ -96,7 +97,8 @@ class FieldTest : public NOX::StatusTest::Generic {
       std::snprintf(buffer, sizeof buffer, " %.3e", r);
       line += buffer;
     }
-    log::detail(line);
+    const std::string place = problem_.place_of_largest(residual);
+    log::detail(line + (place.empty() ? "" : "  " + place));
   }
   NOX::StatusTest::StatusType finish(NOX::StatusTest::StatusType status, const std::string& reason) {
     report_.converged = status == NOX::StatusTest::Converged;

@@ -29,6 +29,8 @@ class NonlinearProblem {
   virtual std::vector<double> update_ratios(const Vector& dx, const Vector& x) = 0;
   /// Whether the residual of the last residual_ratios() call is at the level of rounding errors.
   virtual bool at_rounding() const { return false; }
+  /// In words, where the residual f is largest; "": not known. Collective.
+  virtual std::string place_of_largest(const Vector& f) const { return ""; }
   /// Called once per iterate with the largest of its residual ratios.
   virtual void observe(double worst) {}
 };

@@ -114,6 +114,7 @@ class StepSystem : public NonlinearProblem {
   std::vector<double> update_ratios(const Vector& dx, const Vector& x) override {
     return convergence_.update_ratios(dx, x);
   }
+  std::string place_of_largest(const Vector& f) const override { return convergence_.place_of_largest(f); }
   bool at_rounding() const override { return convergence_.at_rounding(); }
   void observe(double worst) override;
 

@@ -1,5 +1,6 @@
 """What a restart accepts and refuses; restarts on another number of ranks; results of other runs in the folder; signals."""
 import os
+import re
 import shutil
 import signal
 import socket
@@ -468,6 +469,21 @@ class Stopping(RestartCase):
 
     def start(self, command, **options):
         return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+    def test_steps_that_fail_say_where(self):
+        """The place is one of the mesh, and the same on one and two ranks."""
+        places = []
+        for ranks in (1, 2):
+            deck = [ANCHOR, *settings(f"output/name=fails{ranks}")]
+            self.runs(*deck, "--steps", "60", ranks=ranks)
+            done = self.mudline(*deck, "--restart", *settings("solver/newton/maximum iterations=1", "stages/fall/time step/minimum=1e-3"), ranks=ranks)
+            self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+            found = re.search(r"error: .* no convergence in 1 iterations \(residual .* of its tolerance, most of it in "
+                              r"'(displacement|pore pressure)' at \(([-.e0-9]+), ([-.e0-9]+)\)\); the step cannot be cut below", done.stderr)
+            self.assertIsNotNone(found, done.stderr)
+            places.append(found.groups())
+        self.assertEqual(places[0], places[1])
+        self.assertTrue(0 <= float(places[0][1]) <= 2 and -2 <= float(places[0][2]) <= 0.1, places)
 
     def test_sigusr1(self):
         running = self.start([PROGRAM, "run", "-q", *self.deck])
