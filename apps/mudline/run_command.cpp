@@ -88,10 +88,6 @@ void describe(const Model& model) {
             (dofs.comm()->getSize() == 1 ? " rank" : " ranks"));
 }
 
-}  // namespace
-
-namespace {
-
 ExitCode run_one(Loaded& loaded, const RunCommand& command) {
   const Comm& comm = *loaded.model->mesh().comm();
   if (!command.restart) agree(comm, [&] { loaded.start.find(loaded.root->section("start")); });

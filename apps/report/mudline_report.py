@@ -317,7 +317,7 @@ def build(options, gallery):
 
     sections = [("Results", answer_section(results, history, spans, gallery))]
     if len(options.results) > 1:
-        sections.append(("Comparison", report_compare.comparison(options.results, table, gallery)))
+        sections.append(("Comparison", report_compare.comparison(files, options.results[1:], table, gallery)))
     if result and result.steps:
         steps = choose_steps(result, options.times)
         sections.append(("Fields", field_section(result, steps, options.fields, options, gallery)))

@@ -25,6 +25,14 @@ def number(value, unit):
     return f"{value * factor:.4g} {shown}".rstrip("- ")
 
 
+def cells(name, unit, values):
+    """(title with a unit for all values, their texts) of a quantity; "" where a value is None."""
+    largest = max((abs(value) for value in values if value is not None), default=0.0)
+    factor, shown = (1.0, "") if unit == "s" else pictures.scaled(unit, largest)
+    title = html.escape(name) + (f" [{html.escape(shown)}]" if shown not in PLAIN else "")
+    return title, ["" if value is None else number(value, "s") if unit == "s" else f"{whole(value, unit) * factor:.4g}" for value in values]
+
+
 def stage_table(results, of, table):
     """A column for each stage, a row for each quantity; "" where nothing is of a stage."""
     quantities = {name: (unit, values) for name, (unit, values) in results.of[of].items() if any(values)}
@@ -34,11 +42,8 @@ def stage_table(results, of, table):
     rows = []
     duration = results.of.get("stage", {}).get("duration", ("s", {}))
     for name, (unit, values) in {"duration": duration, **quantities}.items():
-        largest = max((abs(value) for value in values.values()), default=0.0)
-        factor, shown = (1.0, "") if unit == "s" else pictures.scaled(unit, largest)
-        title = html.escape(name) + (f" [{html.escape(shown)}]" if shown not in PLAIN else "")
-        rows.append([title] + ["" if stage not in values else number(values[stage], "s") if unit == "s" else
-                               f"{whole(values[stage], unit) * factor:.4g}" for stage in stages])
+        title, texts = cells(name, unit, [values.get(stage) for stage in stages])
+        rows.append([title, *texts])
     return f"<h3>{html.escape(of)}</h3>" + table(rows, ["", *map(html.escape, stages)], range(1, len(stages) + 1))
 
 
@@ -108,6 +113,11 @@ def moving_stages(spans, time, depth):
     return [(stage, rows) for stage, rows in parts if np.ptp(depth[rows]) > 1e-4 * np.ptp(depth)]
 
 
+def stage_ways(force, depth, stages):
+    """[(stage, displacement since its begin in the direction in which it goes, force)]"""
+    return [(stage, np.abs(depth[rows] - depth[rows[0]]), force[rows]) for stage, rows in stages]
+
+
 def load_figure(body, forces, depth, name, stages, speed):
     """Resistance over depth, depth downwards, as a cone penetration test is drawn, with the bands of estimated errors;
     beside it, where there are several stages, the resistance over the displacement in each; and the speed over depth of
@@ -143,11 +153,11 @@ def load_figure(body, forces, depth, name, stages, speed):
 
 def draw_stages(axes, force, depth, stages):
     """Force over the displacement in each stage, in the direction in which that goes."""
-    shown = [(stage, force[rows], np.abs(depth[rows] - depth[rows[0]])) for stage, rows in stages]
+    shown = stage_ways(force, depth, stages)
     # stages of millimetres beside one of metres: the long one is in the diagram over depth
-    short = [part for part in shown if part[2].max() < 0.2 * max(way.max() for _, _, way in shown)] or shown
-    factor, unit = pictures.scaled("m", max(way.max() for _, _, way in short))
-    for stage, values, way in short:
+    short = [part for part in shown if part[1].max() < 0.2 * max(way.max() for _, way, _ in shown)] or shown
+    factor, unit = pictures.scaled("m", max(way.max() for _, way, _ in short))
+    for stage, way, values in short:
         axes.plot(way * factor, values, label=stage)
     axes.set_xlabel(f"displacement in the stage [{unit}]")
     axes.legend(fontsize=8)

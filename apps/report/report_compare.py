@@ -15,8 +15,7 @@ MOST = 6  # runs in one report
 class Run:
     """What is compared of a run: its name, results, history, and the rows of its stages."""
 
-    def __init__(self, argument):
-        files = Result(argument)
+    def __init__(self, files):
         self.stem, self.name, self.results, self.history = files.stem, files.name, files.results, files.history
         self.spans = files.fields.stage_spans() if files.fields else []
 
@@ -30,9 +29,8 @@ class Run:
         forces, _, depth, _ = report_answer.body_resistance(self.history, units, body, self.results)
         if not forces or depth is None or not np.ptp(depth) > 0:
             return []
-        force = next(iter(forces.values()))
-        return [(stage, np.abs(depth[rows] - depth[rows[0]]), force[rows])
-                for stage, rows in report_answer.moving_stages(self.spans, self.history.time, depth)]
+        stages = report_answer.moving_stages(self.spans, self.history.time, depth)
+        return report_answer.stage_ways(next(iter(forces.values())), depth, stages)
 
 
 def differing_rows(runs, of, stages):
@@ -45,12 +43,8 @@ def differing_rows(runs, of, stages):
             known = [value for value in values if value is not None]
             if not known or (len(known) == len(runs) and np.ptp(known) <= SAME * np.abs(known).max()):
                 continue
-            largest = max(abs(value) for value in known)
-            factor, shown = (1.0, "") if unit == "s" else pictures.scaled(unit, largest)
-            title = html.escape(name) + (f" [{html.escape(shown)}]" if shown not in report_answer.PLAIN else "")
-            rows.append([html.escape(stage), title] + [
-                "" if value is None else report_answer.number(value, "s") if unit == "s" else
-                f"{report_answer.whole(value, unit) * factor:.4g}" for value in values])
+            title, texts = report_answer.cells(name, unit, values)
+            rows.append([html.escape(stage), title, *texts])
     return rows
 
 
@@ -85,11 +79,11 @@ def force_figure(body, curves):
         return figure
 
 
-def comparison(arguments, table, gallery):
-    """HTML that compares these results."""
-    if len(arguments) > MOST:
-        raise MudlineError(f"{len(arguments)} results are too many for one report; allowed are {MOST}")
-    runs = [Run(argument) for argument in arguments]
+def comparison(first, others, table, gallery):
+    """HTML that compares a Result, which is read already, with those that these arguments mean."""
+    if 1 + len(others) > MOST:
+        raise MudlineError(f"{1 + len(others)} results are too many for one report; allowed are {MOST}")
+    runs = [Run(files) for files in (first, *map(Result, others))]
     stems = [run.stem.resolve() for run in runs]
     for stem in stems:
         if stems.count(stem) > 1:

@@ -251,12 +251,17 @@ def paint(axes, mesh, values, by_triangle, low, high):
     return drawn
 
 
+def extent(contours):
+    """Lowest and highest coordinates of all bodies."""
+    points = np.vstack(list(contours.values()))
+    return points.min(axis=0), points.max(axis=0)
+
+
 def zoom_window(contours, bounds, half):
     """The neighbourhood of the bodies' lowest part, or None when it would show nearly everything."""
     if not contours:
         return None
-    points = np.vstack(list(contours.values()))
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = extent(contours)
     x_min, x_max, y_min, y_max = bounds
     # `half`: only one half of the body is drawn.
     size = 1.8 * max((high - low)[0] * (2 if half else 1), 1e-3 * (x_max - x_min))
@@ -274,8 +279,7 @@ def body_window(contours, bounds, zoom):
     """What shows the bodies wholly, where they are much larger than the zoom and much smaller than the mesh; else None."""
     if not contours or not zoom:
         return None
-    points = np.vstack(list(contours.values()))
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = extent(contours)
     length = (high - low)[1]
     x_min, x_max, y_min, y_max = bounds
     if length < 1.5 * (zoom[3] - zoom[2]) or length > 0.3 * (y_max - y_min):

@@ -8,10 +8,9 @@ import numpy as np
 # the package lies beside the applications in the source tree, and in share/ of an installation
 sys.path[1:1] = [str(place / "python") for place in Path(__file__).resolve().parents[1:3]]
 from mudline import Field, Fields, History, MudlineError, Result  # noqa: E402, F401
-from mudline.fields import stress_invariants, text  # noqa: E402, F401
+from mudline.fields import CELLS, stress_invariants, text  # noqa: E402, F401
 from report_space import Mesh  # noqa: E402
 
-NODES_OF_CELL = {4: 3, 5: 4, 36: 6, 35: 9}  # XDMF cell number: nodes
 # Straight-sided triangles that cover a cell, and its outline; node order: corners, edge middles, centre.
 TRIANGLES_OF_CELL = {
     4: [(0, 1, 2)],
@@ -29,12 +28,12 @@ class PlaneCells:
         topology, offset = mesh["topology"][:], mesh["offset"][:]
         kinds = topology[offset]
         triangles, owners, edges = [], [], []
-        for kind, count in NODES_OF_CELL.items():
+        for kind, inner in TRIANGLES_OF_CELL.items():
             cells = np.flatnonzero(kinds == kind)
             if not len(cells):
                 continue
-            nodes = topology[offset[cells][:, None] + 1 + np.arange(count)]
-            for triangle in TRIANGLES_OF_CELL[kind]:
+            nodes = topology[offset[cells][:, None] + 1 + np.arange(CELLS[kind][0])]
+            for triangle in inner:
                 triangles.append(nodes[:, triangle])
                 owners.append(cells)
             outline = OUTLINE_OF_CELL[kind]

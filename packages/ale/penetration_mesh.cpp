@@ -51,7 +51,18 @@ void PenetrationMesh::read_body(const Section& bodies, const BodyRegistries& reg
         "a penetration mesh is for bodies with a half contour, whose axis is the edge of the mesh", "extent");
   if (body_->initial_position()[0] != 0)
     section.fail("the first value must be 0: the axis of the body is the edge of the mesh", "position");
-  from_surface_ = hole().empty();
+  if (!hole().empty()) return;
+  std::vector<Curve> contour;
+  for (const auto& piece : body_->contour().pieces())
+    contour.push_back({"", piece->length(), [piece](double s) { return piece->point(s); }});
+  lip_ = 1.04 * widest(contour);
+}
+
+double PenetrationMesh::widest(const std::vector<Curve>& curves) {
+  double most = 0;
+  for (const Curve& curve : curves)
+    for (int k = 0; k <= 20; ++k) most = std::max(most, curve.point_at(curve.length * k / 20)[0]);
+  return most;
 }
 
 std::vector<PenetrationMesh::Curve> PenetrationMesh::hole() const {
@@ -83,13 +94,6 @@ std::vector<PenetrationMesh::Curve> PenetrationMesh::hole() const {
                  "body");
 }
 
-double PenetrationMesh::half_width() const {
-  double widest = 0;
-  for (const auto& piece : body_->contour().pieces())
-    for (int k = 0; k <= 20; ++k) widest = std::max(widest, piece->point(piece->length() * k / 20)[0]);
-  return widest;
-}
-
 std::vector<PenetrationMesh::Curve> PenetrationMesh::boundary() const {
   const auto line = [](const std::string& set, const PlanePoint& from, const PlanePoint& to) {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
@@ -102,15 +106,13 @@ std::vector<PenetrationMesh::Curve> PenetrationMesh::boundary() const {
   const auto refuse = [&](const char* entry, double reach) {
     position_.fail("body '" + body_name_ + "' reaches to " + told(reach, "%.6g m") + " in the ground", entry);
   };
-  double widest = along.empty() ? lip() : edge[0];
-  for (const Curve& curve : along)
-    for (int k = 0; k <= 20; ++k) widest = std::max(widest, curve.point_at(curve.length * k / 20)[0]);
-  if (widest >= width_) refuse("width", widest);
+  const double reach = std::max({lip_, edge[0], widest(along)});
+  if (reach >= width_) refuse("width", reach);
   if (mudline_ - tip[1] >= depth_) refuse("depth", mudline_ - tip[1]);
   std::vector<Curve> curves{line("axis", tip, {0, base}), line("base", {0, base}, {width_, base}),
                             line("far side", {width_, base}, {width_, mudline_})};
   if (along.empty()) {
-    const PlanePoint corner{lip(), mudline_};
+    const PlanePoint corner{lip_, mudline_};
     curves.push_back(line("seabed", {width_, mudline_}, corner));
     curves.push_back(line("seabed", corner, edge));
     return curves;
@@ -126,7 +128,7 @@ std::vector<PenetrationMesh::Curve> PenetrationMesh::boundary() const {
 double PenetrationMesh::size(const PlanePoint& x) const {
   double away = body_->contour().closest({x[0], x[1] - body_->initial_position()[1]}).gap;
   // the surface under a body becomes the wall of its hole
-  if (from_surface_) away = std::min(away, std::hypot(std::max(0.0, x[0] - lip()), x[1] - mudline_));
+  if (lip_ > 0) away = std::min(away, std::hypot(std::max(0.0, x[0] - lip_), x[1] - mudline_));
   return std::min(largest_, near_size_ + growth_ * std::max(0.0, away - near_distance_));
 }
 

@@ -35,11 +35,8 @@ class PenetrationMesh : public MeshSource {
   std::vector<Curve> boundary() const;
   /// The parts of the contour below the mudline, from the mudline, or the body's top, down to the tip.
   std::vector<Curve> hole() const;
-  /// Largest half width of the body [m].
-  double half_width() const;
-  /// Radius of the vertex under the edge of a body that begins at the surface [m]; at the half width itself the body's
-  /// edge would catch it.
-  double lip() const { return 1.04 * half_width(); }
+  /// Largest distance of the curves from the axis [m].
+  static double widest(const std::vector<Curve>& curves);
   /// Wanted length of the sides at a point [m].
   double size(const PlanePoint& x) const;
 
@@ -51,7 +48,9 @@ class PenetrationMesh : public MeshSource {
   int order_ = 2;
   SourcePosition position_;
   std::shared_ptr<const RigidBody> body_;
-  bool from_surface_ = false;  // the body is not in the ground at the start
+  // Radius of the vertex under the edge of a body that begins at the surface [m]; at its half width itself the body's
+  // edge would catch it. 0: the body is in the ground at the start.
+  double lip_ = 0;
 };
 
 }  // namespace mudline

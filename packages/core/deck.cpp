@@ -121,20 +121,18 @@ void refuse_misspelt_settings(const Teuchos::ParameterList& list, const Sources&
 }  // namespace
 
 void Deck::overlay(const std::string& xml_text, const std::string& file_name) {
-  Teuchos::ParameterList list("deck");
-  Sources sources;
   const std::filesystem::path path = std::filesystem::absolute(file_name);
   if (const std::string bad = unfit(path.string()); !bad.empty())
     throw InputError(path.string() + ": the name of the deck, or of its folder, holds " + bad);
-  read_xml(xml_text, file_name, list, sources);
-  if (folder_.empty()) folder_ = path.parent_path().lexically_normal().string();
-  sources_->emplace("", sources.at(""));
-  merge(*list_, *sources_, list, sources, "");
+  Deck over;
+  read_xml(xml_text, file_name, *over.list_, *over.sources_);
+  over.folder_ = path.parent_path().lexically_normal().string();
+  overlay(over);
 }
 
 void Deck::overlay(const Deck& over) {
   if (folder_.empty()) folder_ = over.folder_;
-  sources_->insert({"", over.sources_->at("")});
+  sources_->emplace("", over.sources_->at(""));
   merge(*list_, *sources_, *over.list_, *over.sources_, "");
 }
 

@@ -70,6 +70,13 @@ std::string value_text(int value) { return std::to_string(value); }
 std::string value_text(bool value) { return value ? "true" : "false"; }
 std::string value_text(const std::string& value) { return value; }
 
+std::vector<std::string> section_names(const Teuchos::ParameterList& list) {
+  std::vector<std::string> names;
+  for (auto it = list.begin(); it != list.end(); ++it)
+    if (list.entry(it).isList()) names.push_back(list.name(it));
+  return names;
+}
+
 std::string entry_text(const Teuchos::ParameterEntry& entry) {
   if (entry.isType<Formula>()) return value_of<Formula>(entry).text;
   if (entry.isType<double>()) return value_text(value_of<double>(entry));

@@ -40,6 +40,8 @@ std::string values_text(const Items& items) {
 }
 /// The value or values of an entry likewise.
 std::string entry_text(const Teuchos::ParameterEntry& entry);
+/// Names of the sections of a list, in the order of the deck.
+std::vector<std::string> section_names(const Teuchos::ParameterList& list);
 
 /// Describes an entry for error messages: "the string 'abc'", "the number 0.5", "a section".
 std::string describe_entry(const Teuchos::ParameterEntry& entry);

@@ -96,13 +96,7 @@ Section Section::section_of_type(const std::string& name, const std::string& typ
   return result;
 }
 
-std::vector<std::string> Section::section_names() const {
-  std::vector<std::string> names;
-  for_each_entry(*list_, [&](const std::string& name, const Teuchos::ParameterEntry& entry) {
-    if (entry.isList()) names.push_back(name);
-  });
-  return names;
-}
+std::vector<std::string> Section::section_names() const { return mudline::section_names(*list_); }
 
 std::vector<std::string> Section::parameter_names() const {
   std::vector<std::string> names;

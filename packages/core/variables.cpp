@@ -71,10 +71,7 @@ Variables::Variables(const Teuchos::ParameterList& deck, const Sources& sources,
   collect_words(deck, words_);
   collect_words(elsewhere, words_);
   if (!deck.isSublist(section_name)) {
-    std::vector<std::string> sections;
-    for (auto it = deck.begin(); it != deck.end(); ++it)
-      if (deck.entry(it).isList()) sections.push_back(deck.name(it));
-    const std::string near = nearest(section_name, sections);
+    const std::string near = nearest(section_name, section_names(deck));
     if (!near.empty()) hint_ = "; is the section '" + near + "' meant to be 'variables'?";
     return;
   }

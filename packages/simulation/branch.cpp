@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/deck_changes.hpp"
+#include "core/entry.hpp"
 #include "core/errors.hpp"
 #include "simulation/checkpoint.hpp"
 
@@ -18,13 +19,6 @@ const std::string section_name = "branches";
 std::string in_file_name(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
-}
-
-std::vector<std::string> section_names(const Teuchos::ParameterList& list) {
-  std::vector<std::string> names;
-  for (auto it = list.begin(); it != list.end(); ++it)
-    if (list.entry(it).isList()) names.push_back(list.name(it));
-  return names;
 }
 
 }  // namespace

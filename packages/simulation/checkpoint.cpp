@@ -10,6 +10,7 @@
 
 #include "core/deck.hpp"
 #include "core/deck_changes.hpp"
+#include "core/entry.hpp"
 #include "core/log.hpp"
 #include "core/run_error.hpp"
 #include "core/text.hpp"
@@ -199,14 +200,6 @@ Deck deck_of(const std::string& text, const std::string& name) {
   return deck;
 }
 
-std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
-  std::vector<std::string> names;
-  const Teuchos::ParameterList& stages = deck.sublist("stages");
-  for (auto it = stages.begin(); it != stages.end(); ++it)
-    if (stages.entry(it).isList()) names.push_back(stages.name(it));
-  return names;
-}
-
 }  // namespace
 
 void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progress& progress,
@@ -314,7 +307,7 @@ void Checkpoint::check_model() const {
 
 void Checkpoint::check_stages(const Model& model, Progress& progress) const {
   const Deck was = deck_of(old_deck_, path_), now = deck_of(origin_.deck, "deck");
-  const std::vector<std::string> names = stage_names(was.list());
+  const std::vector<std::string> names = section_names(was.list().sublist("stages"));
   const auto& stages = model.stages();
   const int present = progress.stage, begun = present + (progress.stage_open ? 1 : 0);
   std::vector<std::string> over(names.begin(), names.begin() + std::min<int>(begun, static_cast<int>(names.size())));

@@ -190,14 +190,9 @@ void Model::read_bodies(const Section& deck, const Registries& registries) {
     bodies_[entry.name()] =
         RigidBody::read(entry, mesh_->geometry(), {registries.contours, registries.surfaces, registries.motions});
   const Section stages = deck.section("stages");
-  std::vector<std::string> known;
-  for (const auto& [name, body] : bodies_) known.push_back(name);
   for (const std::string& stage : stages.section_names())
-    for (const Section& entry : collection(stages.section(stage).section("motions"))) {
-      const auto body = bodies_.find(entry.name());
-      if (body == bodies_.end()) entry.fail("unknown body '" + entry.name() + "'" + suggestion(entry.name(), known));
-      stage_motions_[{stage, entry.name()}] = body->second->read_motion(entry, registries.motions);
-    }
+    for (const Section& entry : collection(stages.section(stage).section("motions")))
+      stage_motions_[{stage, entry.name()}] = body(entry.name(), entry, "").read_motion(entry, registries.motions);
 }
 
 BlockData Model::block_data(const StepView& view) const {
@@ -405,6 +400,14 @@ void Model::prescribe(const Stage& stage, double t_old, double t_end, const Stat
                                  "' prescribes a value that is not finite at t = " + number_text(t_end) + " s");
   }
   for (const auto& [name, body] : bodies_) body->prescribe(committed, t_old, t_end, to);
+}
+
+RigidBody& Model::body(const std::string& name, const Section& section, const std::string& entry) const {
+  const auto found = bodies_.find(name);
+  if (found != bodies_.end()) return *found->second;
+  std::vector<std::string> known;
+  for (const auto& [other, body] : bodies_) known.push_back(other);
+  section.fail("unknown body '" + name + "'" + suggestion(name, known), entry);
 }
 
 std::size_t Model::index_of(const Stage& stage) const {

@@ -44,6 +44,8 @@ class Model {
   /// The index of one of these stages.
   std::size_t index_of(const Stage& stage) const;
   const std::map<std::string, std::shared_ptr<RigidBody>>& bodies() const { return bodies_; }
+  /// The body of this name, which an entry of the section gives. InputError there where there is none.
+  RigidBody& body(const std::string& name, const Section& section, const std::string& entry) const;
   const std::vector<std::pair<std::string, std::unique_ptr<Contact>>>& contacts() const { return contacts_; }
   const std::vector<std::unique_ptr<Condition>>& conditions() const { return conditions_; }
   /// Every term of the model, active or not, in a fixed order.

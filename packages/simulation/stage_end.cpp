@@ -20,12 +20,7 @@ class AtRest : public StageEnd {
     p.required("body", body_, "the body whose reference point is looked at");
     p.required("speed", speed_, "m/s", positive(), "below this the body is at rest; it must have been faster before");
   }
-  void bind(const Model& model, const Section& section) override {
-    std::vector<std::string> known;
-    for (const auto& [name, body] : model.bodies()) known.push_back(name);
-    if (model.bodies().count(body_) == 0)
-      section.fail("unknown body '" + body_ + "'" + suggestion(body_, known), "body");
-  }
+  void bind(const Model& model, const Section& section) override { model.body(body_, section, "body"); }
   double measure(const RunView& run, const std::vector<HistoryValue>&) const override {
     return length(run.model.bodies().at(body_)->velocity(run.state));
   }

@@ -6,6 +6,9 @@ from pathlib import Path
 
 from mudline.errors import MudlineError
 
+# Types of values that an entry takes without another type of its own: a text for a number is an expression.
+FITS = {"double": ("double", "int", "string"), "int": ("int", "string"),
+        "Array(double)": ("Array(double)", "Array(int)", "Array(string)"), "Array(int)": ("Array(int)", "Array(string)")}
 TYPES = {bool: "bool", int: "int", float: "double", str: "string"}
 WITH_UNIT = re.compile(r"\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[A-Za-z%]")
 
@@ -78,13 +81,25 @@ class Deck:
         return deck
 
     def _find(self, path):
-        section = self.root
-        *sections, name = path.split("/")
-        for part in sections:
-            section = next((e for e in section if e.tag == "ParameterList" and e.get("name") == part), None)
-            if section is None:
+        """The element of an entry; None where there is none."""
+        entry = self.root
+        for name in path.split("/"):
+            entry = next((inner for inner in entry if inner.get("name") == name), None)
+            if entry is None:
                 return None
-        return next((e for e in section if e.get("name") == name and e.tag in ("Parameter", "ParameterList")), None)
+        return entry
+
+    def _section(self, path, wanted):
+        """The element of a section, for an entry that is wanted in it; those of the path that are missing are made."""
+        if not path:
+            return self.root
+        parent, _, name = path.rpartition("/")
+        entry = self._find(path)
+        if entry is None:
+            return ElementTree.SubElement(self._section(parent, wanted), "ParameterList", name=name)
+        if entry.tag != "ParameterList":
+            raise MudlineError(f"{wanted}: '{name}' is a parameter; it has no entries of its own")
+        return entry
 
     def __contains__(self, path):
         return self._find(path) is not None
@@ -100,35 +115,23 @@ class Deck:
 
     def __setitem__(self, path, value):
         """Sets a parameter; sections that are missing are made. The type stays where the value fits it."""
-        section = self.root
-        *sections, name = path.split("/")
-        for part in sections:
-            inner = next((e for e in section if e.get("name") == part), None)
-            if inner is None:
-                inner = ElementTree.SubElement(section, "ParameterList", name=part)
-            elif inner.tag != "ParameterList":
-                raise MudlineError(f"{path}: '{part}' is a parameter; it has no entries of its own")
-            section = inner
-        entry = next((e for e in section if e.get("name") == name), None)
+        parent, _, name = path.rpartition("/")
+        section, entry = self._section(parent, path), self._find(path)
         if entry is not None and entry.tag == "ParameterList":
             raise MudlineError(f"{path}: a section; only parameters can be set")
         kind, text = written(value)
         if entry is None:
             ElementTree.SubElement(section, "Parameter", name=name, type=kind, value=text)
             return
-        old = entry.get("type")
-        number = old in ("double", "int", "Array(double)", "Array(int)")
-        keeps = kind == old or (kind == "int" and old == "double") or (kind == "Array(int)" and old == "Array(double)") or \
-            (kind == "string" and number) or (kind == "Array(string)" and number)
-        entry.set("type", old if keeps else kind)
+        if kind not in FITS.get(entry.get("type"), ()):
+            entry.set("type", kind)
         entry.set("value", text)
 
     def __delitem__(self, path):
-        parent, _, _ = path.rpartition("/")
         entry = self._find(path)
         if entry is None:
             raise KeyError(path)
-        (self._find(parent) if parent else self.root).remove(entry)
+        self._section(path.rpartition("/")[0], path).remove(entry)
 
     def text(self):
         """The deck as XML."""

@@ -5,8 +5,8 @@ program with.
     golden.py compare [NAME ...]     runs them again and says which columns differ
 
 NAME is a deck's path below inputs/ without ".xml", say pile/clay. The decks that `mudline new` stands on are new/NAME,
-with their defaults. Decks of tests/regression/decks are regression/NAME; they cover what no shipped deck does within its first steps, and run to their end. The program is
-that of the environment variable MUDLINE. A refactoring keeps them to 1e-9. A change of a default that changes answers
+with their defaults. Decks of tests/regression/decks are regression/NAME; they cover what no shipped deck does within
+its first steps, and run to their end. The program is that of the environment variable MUDLINE. A refactoring keeps them to 1e-9. A change of a default that changes answers
 is compared with the old setting by --set, and the decks are recorded anew with a note of the figure.
 
 A deck of inputs/ runs for as many steps as about five seconds allow, decided when it is first recorded and kept in

@@ -1,6 +1,5 @@
 #include "simulation/results/cone_test.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/pi.hpp"
@@ -38,19 +37,14 @@ void ConeTest::parameters(Parameters& p) {
 }
 
 void ConeTest::bind(const Model& model, const Section& section) {
-  const auto body = model.bodies().find(body_);
-  if (body == model.bodies().end()) {
-    std::vector<std::string> names;
-    for (const auto& entry : model.bodies()) names.push_back(entry.first);
-    section.fail("unknown body '" + body_ + "'" + suggestion(body_, names), "body");
-  }
+  const RigidBody& body = model.body(body_, section, "body");
   if (model.mesh().geometry() != Geometry::axisymmetric)
     section.fail("a cone penetration test is axisymmetric; the mesh is not", "type");
-  area_ = body->second->properties().frontal_area;
+  area_ = body.properties().frontal_area;
   if (!(area_ > 0) || !std::isfinite(area_)) section.fail("body '" + body_ + "' has no section", "body");
   int contacts = 0;
   for (const auto& [name, contact] : model.contacts()) {
-    if (contact->partners().body != body->second.get()) continue;
+    if (contact->partners().body != &body) continue;
     reaction_ = "contact/" + name + "/tip reaction y";
     ++contacts;
   }
@@ -68,10 +62,10 @@ void ConeTest::remeshed(const RunView& run) {
 }
 
 double ConeTest::pressure_at_filter(const RunView& run) const {
-  for (const HistoryValue& value : probes_->values(
-           run.state, [&] { return run.pressure.values(); }, nullptr))
-    if (value.name == "probe/filter/excess pore pressure") return value.value;
-  return 0;
+  const auto row = probes_->values(
+      run.state, [&] { return run.pressure.values(); }, nullptr);
+  const HistoryValue* const found = find_value(row, "probe/filter/excess pore pressure");
+  return found != nullptr ? found->value : 0.0;
 }
 
 void ConeTest::report(const RunView& run, Report& to) {

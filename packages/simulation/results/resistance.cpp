@@ -89,7 +89,7 @@ void ResistanceResults::add_start(const std::string& name, const RigidBody& body
   to.set("", name, mudline_height, "m", *mudline_);
   to.set("", name, start_depth, "m", *mudline_ - tip);
   // forces in plane strain are those of the half that is modelled, by one metre
-  if (body.dimension() == 2 && geometry == Geometry::plane_strain && body.contour().extent() == ContourExtent::half)
+  if (geometry == Geometry::plane_strain && body.contour().extent() == ContourExtent::half)
     to.set("", name, modelled_share, "-", 0.5);
 }
 
