@@ -52,6 +52,7 @@ struct StepView {
   ImpactView impact;
   std::vector<Sensitivity> sensitivity;   // by field
   int linearisation = 0;                  // how often the step has been linearised before
+  double elastic_share = 0;               // of elastic stiffness in the tangents of soil laws, in [0, 1)
   bool inertia;                           // false in quasi-static and geostatic stages
   bool flow;                              // false in a geostatic stage: storage and rates are off
   Kokkos::View<const char*> constrained;  // prescribed unknowns of the step, by overlap dof

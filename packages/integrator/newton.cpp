@@ -128,6 +128,14 @@ NewtonOptions NewtonOptions::damped() const {
   return result;
 }
 
+NewtonOptions NewtonOptions::creeping() const {
+  NewtonOptions result = *this;
+  result.elastic_share = true;
+  result.reuse_jacobian = false;
+  result.maximum_iterations = std::max(maximum_iterations, 100);
+  return result;
+}
+
 void NewtonOptions::parameters(Parameters& p) {
   p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000), "Newton iterations before the step is cut");
   p.add("halvings", halvings, "-", closed(0, 20),
@@ -136,8 +144,8 @@ void NewtonOptions::parameters(Parameters& p) {
   p.add("largest growth", largest_growth, "-", non_negative(),
         "of the residual in one iteration, before its step is halved; 0: any, full steps are tried first");
   p.add("damped retry", damped_retry,
-        "Where full steps do not converge, solve the time step once more with a 'largest growth' of 1.2 before it is "
-        "cut");
+        "Where full steps do not converge, solve the time step once more with a 'largest growth' of 1.2, then with "
+        "elastic stiffness mixed into the tangents of the soil, before it is cut");
   p.add("reuse Jacobian", reuse_jacobian,
         "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one "
         "would not pay");

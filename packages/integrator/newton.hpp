@@ -68,18 +68,21 @@ struct NewtonOptions {
   int maximum_iterations = 15;
   int least_iterations = 0;  // required even if the first guess has no residual; not a parameter
   int halvings = 4;
-  double largest_growth = 0;  // [-] of the residual in one iteration; 0: no limit
-  bool damped_retry = true;   // whether to try again with damped() if full steps do not converge
+  double largest_growth = 0;   // [-] of the residual in one iteration; 0: no limit
+  bool damped_retry = true;    // whether to try again with damped() and creeping() if full steps do not converge
+  bool elastic_share = false;  // mix elastic stiffness into the tangents of soil laws; not a parameter
   bool reuse_jacobian = true;
   double largest_forcing = 0.1;  // fraction of the residual that a linear solve may leave; 0: forcing is off
   FirstGuess first_guess = FirstGuess::extrapolated;
   bool guarded = true;  // the deck names no line search of NOX
   NoxOptions nox;
   void parameters(Parameters& p);
-  /// Whether a failed solve with these options may be repeated with damped().
+  /// Whether a failed solve with these options may be repeated with damped() and creeping().
   bool may_be_damped() const { return guarded && damped_retry && largest_growth == 0; }
   /// The same options with steps that are halved where the residual grows by more than a fifth.
   NewtonOptions damped() const;
+  /// The same options with a share of elastic stiffness in the soil's tangents, see ElasticShare.
+  NewtonOptions creeping() const;
 };
 
 /// Outcome of a Newton solve.

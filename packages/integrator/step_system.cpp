@@ -135,11 +135,13 @@ void StepSystem::forget_solver() {
 void StepSystem::set_options(const NewtonOptions& newton) {
   chord_.enabled = newton.reuse_jacobian;
   forcing_.largest = newton.largest_forcing;
+  elastic_share_.enabled = newton.elastic_share;
 }
 
 void StepSystem::start_solve() {
   forget_evaluation();
   chord_.start_solve();
+  elastic_share_.start();
 }
 
 void StepSystem::prepare_view(const StepRequest& request, StepView::Kind kind) {
@@ -172,6 +174,7 @@ void StepSystem::prepare_view(const StepRequest& request, StepView::Kind kind) {
   view_.inertia = scheme_.inertia;
   view_.flow = scheme_.flow;
   view_.linearisation = 0;
+  view_.elastic_share = 0;
   view_.committed = &old;
   view_.trial = &trial;
   set_sensitivities();
@@ -341,6 +344,7 @@ bool StepSystem::solve(const Vector& f, Vector& dx) {
 
 void StepSystem::observe(double worst) {
   chord_.observe(worst, convergence_.observe());
+  view_.elastic_share = elastic_share_.next(worst);
   // by field, so that no field is solved further than the worst one needs
   const double share = solver_.iterative() ? forcing_.next(worst) : 0.0;
   enough_.clear();
@@ -355,6 +359,7 @@ Vector StepSystem::begin(const StepRequest& request, const StepTolerances& toler
   constrain(request);
   check_chord();
   forcing_.start_step();
+  elastic_share_.start();
   enough_.clear();
   Vector x(map());
   start_from(constraints_, store_.committed().value, x);

@@ -9,6 +9,7 @@
 #include "framework/term_faces.hpp"
 #include "integrator/chord.hpp"
 #include "integrator/convergence.hpp"
+#include "integrator/elastic_share.hpp"
 #include "integrator/forcing.hpp"
 #include "integrator/levels.hpp"
 #include "integrator/newton.hpp"
@@ -52,7 +53,7 @@ class StepSystem : public NonlinearProblem {
   Vector begin(const StepRequest& request, const StepTolerances& tolerances);
   /// Begins another solve within the step, after an augmentation of terms.
   void start_solve();
-  /// Sets how Jacobians are reused and how far linear systems are solved.
+  /// Sets how Jacobians are formed and reused, and how far linear systems are solved.
   void set_options(const NewtonOptions& newton);
   /// Does the work of residual(). `jacobian_follows`: whether a new Jacobian at x is likely to follow.
   bool evaluate(const Vector& x, bool jacobian_follows, Vector& f);
@@ -163,6 +164,7 @@ class StepSystem : public NonlinearProblem {
   StepTimes times_;
   ChordControl chord_;
   Forcing forcing_;
+  ElasticShare elastic_share_;
   std::vector<double> enough_;   // tolerances of the next linear solve, see LinearTolerance
   Vector evaluated_, balance_;   // unknowns of the trial state and their residual
   bool evaluated_at_x_ = false;  // whether the trial state still belongs to evaluated_

@@ -66,16 +66,25 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
 }
 
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
-  system_.set_options(newton);
-  const StepReport first = try_step(request, tolerances, newton);
-  if (first.converged || first.refused || !newton.may_be_damped()) return first;
-  log::detail("    full steps: " + first.reason + "; the step is tried once more with damped ones");
-  StepReport second = try_step(request, tolerances, newton.damped());
-  if (!second.converged) second.reason = first.reason;
-  second.newton_iterations += first.newton_iterations;
-  second.linear_iterations += first.linear_iterations;
-  second.factorisations += first.factorisations;
-  return second;
+  std::vector<NewtonOptions> ways = {newton};
+  if (newton.may_be_damped()) ways.insert(ways.end(), {newton.damped(), newton.creeping()});
+  StepReport report;
+  std::string reason;  // that of the first way
+  for (const NewtonOptions& way : ways) {
+    const StepReport before = report;
+    system_.set_options(way);
+    report = try_step(request, tolerances, way);
+    report.retried = &way != &ways.front();
+    report.newton_iterations += before.newton_iterations;
+    report.linear_iterations += before.linear_iterations;
+    report.factorisations += before.factorisations;
+    if (way.elastic_share) system_.forget_jacobian();
+    if (report.converged || report.refused) return report;
+    if (reason.empty()) reason = report.reason;
+    if (&way != &ways.back()) log::detail("    the step is tried once more: " + report.reason);
+  }
+  report.reason = reason;
+  return report;
 }
 
 }  // namespace mudline

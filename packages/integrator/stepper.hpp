@@ -17,6 +17,7 @@ struct StepReport {
   int augmentations = 0;      // solves after the first, for terms that augment
   int linear_iterations = 0;
   int factorisations = 0;
+  bool retried = false;  // full steps did not converge, another way may have
   std::string reason;
 };
 
@@ -26,8 +27,8 @@ class Stepper {
  public:
   /// `system` must outlive it.
   explicit Stepper(StepSystem& system) : system_(system) {}
-  /// Tries one step from the committed state, with full Newton steps and, where those do not converge, with damped
-  /// ones; on success the trial state is complete. Collective.
+  /// Tries one step from the committed state, with full Newton steps; where those do not converge, with damped ones,
+  /// then with a share of elastic stiffness. On success the trial state is complete. Collective.
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
  private:

@@ -37,7 +37,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
         step = ::fmin(2.0 * step, 1.0 - time);
       } else {
         step *= 0.25;  // a power of two, so that time reaches 1 exactly
-        if (step < 1e-8) return false;
+        if (step < 1e-8 || exhausted()) return false;
       }
     }
     return false;
@@ -52,6 +52,12 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   using PlasticPath<T, Model>::admissible;
 
   static constexpr int unknowns = N + H + 1;
+
+  /// Whether the increment has cost so much that it is given up: a wild iterate of the global Newton method may ask for
+  /// a strain that no number of substeps reaches.
+  KOKKOS_INLINE_FUNCTION bool exhausted() const { return iterations_ >= 1000 + options_.maximum_substeps; }
+
+  int iterations_ = 0;  // of Newton's method, over all attempts
 
   /// Data that are constant during one subincrement.
   template <class X>
@@ -199,11 +205,13 @@ class ImplicitReturn : public PlasticPath<T, Model> {
 
   /// Newton's method. `matrix` returns the factorised derivative at the solution, up to the last tiny correction.
   KOKKOS_INLINE_FUNCTION bool iterate(const Start<double>& start, double* x, SmallLu<unknowns>& matrix,
-                                      const Scales& scales) const {
+                                      const Scales& scales) {
     Dual<unknowns> r[unknowns];
     double size;
     if (!evaluate(x, start, scales, r, size)) return false;
     for (int iteration = 0; iteration < 30; ++iteration) {
+      if (exhausted()) return false;
+      ++iterations_;
       double step[unknowns];
       for (int i = 0; i < unknowns; ++i) {
         step[i] = -r[i].v;
@@ -235,20 +243,23 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   /// increment, each starting from the solution of the one before. It ends at the same solution as iterate(), so the
   /// result does not jump between the two methods.
   KOKKOS_INLINE_FUNCTION bool follow(const Start<double>& start, double* x, SmallLu<unknowns>& matrix,
-                                     const Scales& scales) const {
+                                     const Scales& scales) {
     Start<double> part = start;
     double y[unknowns], done = 0.0, step = 0.25;
     copy_plain(start.stress, x, N);
     copy_plain(start.h, x + N, H);
     x[unknowns - 1] = 0.0;
-    for (int attempt = 0; attempt < 60; ++attempt) {
-      if (!(done < 1.0 && step > 1e-4)) break;
+    for (int attempt = 0; attempt < 120; ++attempt) {
+      if (!(done < 1.0 && step > 1e-10) || exhausted()) break;
       for (int i = 0; i < N; ++i) part.strain[i] = (done + step) * start.strain[i];
       model_.elastic_step(part.stress, part.strain, part.middle_volume, y);
       copy_plain(start.h, y + N, H);
       bool ok = model_.admissible(y, y + N);
       if (ok && model_.yield(y, y + N) > options_.yield_tolerance) {
-        if (x[unknowns - 1] > 0.0) copy_plain(x, y, unknowns);
+        if (x[unknowns - 1] > 0.0) {
+          copy_plain(x, y, unknowns);
+          y[unknowns - 1] *= (done + step) / done;  // far outside, the flow goes on in its direction
+        }
         if (!(x[unknowns - 1] > 0.0)) y[unknowns - 1] = 0.0;
         ok = iterate(part, y, matrix, scales);
       } else {

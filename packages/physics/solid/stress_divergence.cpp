@@ -6,6 +6,7 @@
 #include "discretisation/agree.hpp"
 #include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
+#include "physics/soil_points.hpp"
 #include "physics/solid/step_motion.hpp"
 #include "physics/solid/stress_update.hpp"
 
@@ -96,6 +97,20 @@ struct TotalStress : PointLaw {
   }
 };
 
+/// Mixes elastic stiffness into the tangents of `rows` points from row `first` of the block on.
+void mix_elastic(const Soil& soil, const SoilBlock& b, const StepView& view, const PointView& tangent, int first,
+                 int rows) {
+  const double share = view.elastic_share;
+  if (share == 0) return;
+  const SoilPoints points(soil, b, *view.committed);
+  double elastic[36];
+  for (int i = 0; i < rows; ++i) {
+    const ElasticModuli m = points.moduli(first + i);
+    sym6::isotropic_stiffness(m.bulk, m.shear, elastic);
+    for (int c = 0; c < 36; ++c) tangent(i, c) += share * (elastic[c] - tangent(i, c));
+  }
+}
+
 TotalStress total_stress(const Soil& soil, const SoilBlock& b, const StepView& view) {
   return {
       {}, mixtures_of(soil, b, *view.committed), view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
@@ -134,6 +149,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
     TotalStress law = total_stress(*soil_, b, view);
     const MatrixScatter to = assembler.scatter(b.group);
     if (kept_) {
+      mix_elastic(*soil_, b, view, tangents_[k], 0, b.elements * b.points);
       law.tangent = tangents_[k];
       add_tangent(soil_->geometry, b, end_level(view, b), law, to, weight);
       law.tangent = tangents_[k] = PointView();  // frees memory for the linear solve
@@ -144,6 +160,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
       const int last = std::min(first + batch, b.elements);
       update.run(first, last);
       if (broken.empty() && update.law_is_broken()) broken = update.failure();
+      mix_elastic(*soil_, b, view, update.tangent(), first * b.points, (last - first) * b.points);
       law.tangent = update.tangent();
       law.first_row = first * b.points;
       add_tangent(soil_->geometry, b, update.level(), law, to, weight, first, last);

@@ -57,6 +57,27 @@ class BearingCapacity(StrengthCase):
     def test_strip_phi_30_with_surcharge(self):
         self.assert_sequence(["strip_mohr_coulomb", "phi_30", "surcharge"], (), 66.94187, {4: 0.045, 6: 0.03})
 
+    def test_strip_on_soil_that_dilates_less_than_it_rubs(self):
+        """The collapse load is between that of Davis' (1968) reduced friction and cohesion and the associated one, which
+        the mesh exceeds by 4.5 %; all by defaults."""
+        pairs = ((20, 6.7, 1e-4, 7, 4), (25, 8.3, 1.5e-4, 9, 5))
+        for friction, dilation, depth, *ground in pairs:
+            phi, psi = np.radians(friction), np.radians(dilation)
+            reduced = np.cos(psi) / (1 - np.sin(psi) * np.sin(phi))
+            davis = reduced * np.cos(phi) * self.cohesion_factor(np.arctan(reduced * np.sin(phi)))
+            settings = (f"materials/soil/skeleton/friction angle [deg]={friction}.0",
+                        f"materials/soil/skeleton/dilation angle [deg]={dilation}",
+                        f"boundary conditions/footing/y=-{depth}*t", "mesh/parameters/cells=4",
+                        f"mesh/parameters/width={float(ground[0])}", f"mesh/parameters/depth={float(ground[1])}")
+            factor, growth = self.factor(["strip_mohr_coulomb", "non_associated"], settings)
+            self.assert_between(f"phi {friction}, psi {dilation}", factor, davis, 1.045 * self.cohesion_factor(phi))
+            self.assert_between(f"phi {friction}, psi {dilation}, growth at the end", growth, -0.01, 0.01)
+
+    @staticmethod
+    def cohesion_factor(phi):
+        """N_c of Prandtl (1921)."""
+        return (np.exp(np.pi * np.tan(phi)) * np.tan(np.pi / 4 + phi / 2) ** 2 - 1) / np.tan(phi)
+
     def test_cells_that_lock_are_named(self):
         quads = ("mesh/parameters/triangles=0", "physics/ground/quadrature degree=4")
         for settings, warned in (((), False), (quads, True), (quads + ("materials/soil/skeleton/Poisson's ratio=0.3",), False)):
