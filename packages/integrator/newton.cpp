@@ -129,15 +129,18 @@ NewtonOptions NewtonOptions::damped() const {
 }
 
 NewtonOptions NewtonOptions::creeping() const {
+  constexpr int patience = 7;
   NewtonOptions result = *this;
   result.elastic_share = true;
   result.reuse_jacobian = false;
-  result.maximum_iterations = std::max(maximum_iterations, 100);
+  result.maximum_iterations = patience * maximum_iterations;
   return result;
 }
 
 void NewtonOptions::parameters(Parameters& p) {
-  p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000), "Newton iterations before the step is cut");
+  p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000),
+        "Newton iterations of a try before the step is cut; seven times as many with elastic stiffness, see 'damped "
+        "retry'");
   p.add("halvings", halvings, "-", closed(0, 20),
         "largest number of times that an iteration's step is halved where the residual cannot be evaluated or grows "
         "too much; not with a line search of NOX");
