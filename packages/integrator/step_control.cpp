@@ -14,7 +14,8 @@ void StepControl::parameters(Parameters& p) {
         "factor after an easy step; 1 keeps the initial step, to which it returns after a cut");
   p.add("cut", cut, "-", open(0, 1), "factor after a failed or a hard step");
   p.add("easy iterations", easy_iterations, "-", closed(1, 1000), "the step grows when Newton took no more iterations");
-  p.add("hard iterations", hard_iterations, "-", closed(1, 1000), "the step shrinks when Newton took more iterations");
+  p.add("hard iterations", hard_iterations, "-", closed(1, 1000),
+        "the step shrinks when Newton took more iterations, unless a 'damped retry' succeeded");
   p.add("error tolerance", error_tolerance, "-", non_negative(),
         "local time error allowed per step, of each field (displacement with inertia, pore pressure, ...) relative to "
         "its largest size so far: chooses the step, and a step with more than twice the error is tried again with a "
@@ -39,16 +40,17 @@ void LocalError::add(double field_ratio, int order) {
   factor = std::min(factor, 0.9 * std::pow(field_ratio, -1.0 / (order + 1)));
 }
 
-double StepControl::after_success(double dt, int iterations, const LocalError& error) const {
+double StepControl::after_success(double dt, int iterations, const LocalError& error, bool retried) const {
+  const bool hard = iterations > hard_iterations && !retried;
   double factor = 1;
   // after a cut the step grows slowly, or every second step would have the size that failed
   if (iterations <= easy_iterations) factor = growth == 1 && dt < initial ? std::min(1.25, initial / dt) : growth;
-  if (iterations > hard_iterations) factor = cut;
+  if (hard) factor = cut;
   if (error_tolerance > 0) {
     // with a growth of 1 the error alone controls the step; without an error measure the step stays
     const double most = error.ratio >= 0 ? (growth > 1 ? growth : 2.0) : 1.0;
     const double wanted = std::clamp(error.factor, 0.25, most);
-    factor = iterations > hard_iterations ? std::min(factor, wanted) : wanted;
+    factor = hard ? std::min(factor, wanted) : wanted;
   }
   return std::clamp(dt * factor, minimum, maximum);
 }

@@ -31,8 +31,9 @@ struct StepControl {
   void check(const Section& section) const;
   /// Fills the defaults that depend on the duration.
   void complete(double duration);
-  /// Next step after success.
-  double after_success(double dt, int iterations, const LocalError& error) const;
+  /// Next step after success. A `retried` step keeps its size however many iterations it took: soil that snaps to
+  /// another equilibrium does so in any step.
+  double after_success(double dt, int iterations, const LocalError& error, bool retried = false) const;
   /// Step that replaces a converged one whose local error is too large; negative if the converged one is to be
   /// accepted. A step at the minimum is accepted, because no step is short enough where a load jumps.
   double after_error(double dt, const LocalError& error) const;

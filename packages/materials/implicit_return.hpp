@@ -259,8 +259,9 @@ class ImplicitReturn : public PlasticPath<T, Model> {
         if (x[unknowns - 1] > 0.0) {
           copy_plain(x, y, unknowns);
           y[unknowns - 1] *= (done + step) / done;  // far outside, the flow goes on in its direction
+        } else {
+          y[unknowns - 1] = 0.0;
         }
-        if (!(x[unknowns - 1] > 0.0)) y[unknowns - 1] = 0.0;
         ok = iterate(part, y, matrix, scales);
       } else {
         y[unknowns - 1] = 0.0;

@@ -365,10 +365,7 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   progress_.last_dt = dt;
   // a step that was shortened to meet the end of a stage or a contact's limit does not show how large a step Newton's
   // method can take
-  // a step that needed damped iterations keeps its size: soil that snaps to another equilibrium does so in any step
-  const int hardest =
-      report.retried ? std::min(report.hardest_solve, stage.control.hard_iterations) : report.hardest_solve;
-  const double next = stage.control.after_success(dt, hardest, error_);
+  const double next = stage.control.after_success(dt, report.hardest_solve, error_, report.retried);
   progress_.next_dt =
       dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
   tell_step(report);

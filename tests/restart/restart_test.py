@@ -476,7 +476,8 @@ class Stopping(RestartCase):
         for ranks in (1, 2):
             deck = [ANCHOR, *settings(f"output/name=fails{ranks}")]
             self.runs(*deck, "--steps", "60", ranks=ranks)
-            impatient = settings("solver/newton/maximum iterations=1", "solver/newton/damped retry=false", "stages/fall/time step/minimum=1e-3")
+            impatient = settings("solver/newton/maximum iterations=1", "solver/newton/damped retry=false",
+                                 "stages/fall/time step/minimum=1e-3")
             done = self.mudline(*deck, "--restart", *impatient, ranks=ranks)
             self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
             found = re.search(r"error: .* no convergence in 1 iterations \(residual .* of its tolerance, most of it in "

@@ -38,7 +38,8 @@ class Endings(MudlineCase):
         """Steps that were accepted before the failure are in the results, and a restart with a kinder deck goes on from them."""
         impatient = self.write("impatient.xml", '<ParameterList name="over"><ParameterList name="solver"><ParameterList name="newton">'
                                '<Parameter name="maximum iterations" type="int" value="1"/>'
-                               '<Parameter name="damped retry" type="bool" value="false"/></ParameterList></ParameterList></ParameterList>')
+                               '<Parameter name="damped retry" type="bool" value="false"/>'
+                               '</ParameterList></ParameterList></ParameterList>')
         name = ["--set", "output/name=ball", "--set", "stages/push/time step/minimum=2e-4"]
         done = program(["run", "-q", BALL, impatient] + name, folder=self.folder)
         self.assertEqual(done.returncode, 3, done.stderr)

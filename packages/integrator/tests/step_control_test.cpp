@@ -35,6 +35,7 @@ TEST(StepControl, GrowsAfterEasyStepsAndShrinksAfterHardOnes) {
   EXPECT_DOUBLE_EQ(c.after_success(2, c.easy_iterations + 1, {}), 2);
   EXPECT_DOUBLE_EQ(c.after_success(2, c.hard_iterations, {}), 2);
   EXPECT_DOUBLE_EQ(c.after_success(2, c.hard_iterations + 1, {}), 1);
+  EXPECT_DOUBLE_EQ(c.after_success(2, c.hard_iterations + 1, {}, true), 2) << "full steps had failed";
   EXPECT_DOUBLE_EQ(c.after_success(90, 1, {}), 100) << "the maximum";
 }
 
