@@ -90,6 +90,7 @@ void MeshTransfer::transfer(const StateStore& old_store, const State& old, const
     transfer_field(f, old.value, now.value, f == soil.displacement);
     transfer_field(f, old.rate, now.rate);
     transfer_field(f, old.acceleration, now.acceleration);
+    if (!moved()) transfer_field(f, old.predictor, now.predictor);
   }
   transfer_node_arrays(old_store, old, store, now);
   if (!moved()) transfer_surfaces(old_store, old, store, now);

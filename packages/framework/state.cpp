@@ -12,6 +12,7 @@ State make_state(const Space& space) {
   state.value = NodalView("value", n);
   state.rate = NodalView("rate", n);
   state.acceleration = NodalView("acceleration", n);
+  state.predictor = NodalView("predictor", n);
   state.coordinates = CoordinateView("coordinates", space.mesh().num_nodes(), space.mesh().dimension());
   Kokkos::deep_copy(state.coordinates, space.mesh().coordinates());
   return state;
@@ -23,6 +24,7 @@ void copy(const State& from, State& to) {
   Kokkos::deep_copy(to.value, from.value);
   Kokkos::deep_copy(to.rate, from.rate);
   Kokkos::deep_copy(to.acceleration, from.acceleration);
+  Kokkos::deep_copy(to.predictor, from.predictor);
   for (std::size_t i = 0; i < from.history_forces.size(); ++i)
     Kokkos::deep_copy(to.history_forces[i], from.history_forces[i]);
   Kokkos::deep_copy(to.coordinates, from.coordinates);
@@ -35,6 +37,7 @@ State room_for(const State& like) {
   state.value = NodalView("value", like.value.extent(0));
   state.rate = NodalView("rate", like.rate.extent(0));
   state.acceleration = NodalView("acceleration", like.acceleration.extent(0));
+  state.predictor = NodalView("predictor", like.predictor.extent(0));
   for (const NodalView& force : like.history_forces)
     state.history_forces.emplace_back("history force", force.extent(0));
   state.coordinates = CoordinateView("coordinates", like.coordinates.extent(0), like.coordinates.extent(1));

@@ -59,7 +59,7 @@ double misfit_of_rates(StepSystem& system, const StepRequest& request, const Ste
   instant.dt *= 1e-6;
   const auto imbalance = [&](const StepRequest& step, bool moves, Vector& f) {
     Vector x = system.begin(step, tolerances);
-    if (moves) x = extrapolated(system, x);
+    if (moves) x = extrapolated(system, x, system.store().committed().rate);
     return system.evaluate(x, false, f);
   };
   // a jump at the start of the stage, such as a sudden load, is no motion and is subtracted

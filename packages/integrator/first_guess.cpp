@@ -31,14 +31,13 @@ struct SquaresOfChange {
 
 }  // namespace
 
-Vector extrapolated(const StepSystem& system, const Vector& x) {
+Vector extrapolated(const StepSystem& system, const Vector& x, const NodalView& rates) {
   Vector result(x, Teuchos::Copy);
   const Space& space = system.space();
   const DofMap& dofs = *space.dofs();
   for (int f = 0; f < space.num_fields(); ++f)
     if (space.field(f).time_order > 0)
-      move_on(system.constraints(), system.store().committed().rate, system.view().dt, dofs.owned_begin(f),
-              dofs.owned_end(f), result);
+      move_on(system.constraints(), rates, system.view().dt, dofs.owned_begin(f), dofs.owned_end(f), result);
   return result;
 }
 
@@ -52,9 +51,21 @@ double largest_ratio(const std::vector<double>& norms, const std::vector<double>
 
 bool FirstGuess::improve(Vector& x, bool extrapolates) { return !(extrapolates && extrapolate(x)) && predict(x); }
 
+NodalView FirstGuess::rates() const {
+  const State& old = system_.store().committed();
+  const Space& space = system_.space();
+  const NodalView result("first guess", old.rate.extent(0));
+  for (int f = 0; f < space.num_fields(); ++f) {
+    const bool goes_on = system_.scheme().inertia || space.field(f).support == Support::apart;
+    for (const auto& range : overlap_ranges(*space.dofs(), f))
+      Kokkos::deep_copy(Kokkos::subview(result, range), Kokkos::subview(goes_on ? old.rate : old.predictor, range));
+  }
+  return result;
+}
+
 bool FirstGuess::extrapolate(Vector& x) {
   if (!system_.scheme().flow) return false;  // geostatic: no time passes
-  const Vector guess = extrapolated(system_, x);
+  const Vector guess = extrapolated(system_, x, rates());
   Vector change(guess, Teuchos::Copy), f(system_.map());
   change.update(-1, x, 1);
   if (change.norm2() == 0) return false;

@@ -6,8 +6,8 @@
 
 namespace mudline {
 
-/// The unknowns after the system's step at the committed rates, from x; prescribed unknowns stay as in x.
-Vector extrapolated(const StepSystem& system, const Vector& x);
+/// The unknowns after the system's step at `rates` (by overlap dof), from x; prescribed unknowns stay as in x.
+Vector extrapolated(const StepSystem& system, const Vector& x, const NodalView& rates);
 
 /// The largest norm of a field's residual, over the larger of two sizes of what acts on the field.
 double largest_ratio(const std::vector<double>& norms, const std::vector<double>& scales,
@@ -18,13 +18,16 @@ class FirstGuess {
  public:
   /// `system` must outlive it.
   explicit FirstGuess(StepSystem& system) : system_(system) {}
-  /// Improves `x`, which StepSystem::begin() gave: by the committed rates if `extrapolates`, or else by a linear
+  /// Improves `x`, which StepSystem::begin() gave: by the predictor if `extrapolates`, or else by a linear
   /// prediction. Returns whether it solved a linear system. Collective.
   bool improve(Vector& x, bool extrapolates);
 
  private:
-  /// Extrapolates the guess with the committed rates. Returns false, with x unchanged, where nothing moves, where the
-  /// terms cannot be evaluated there, or where the imbalance is larger.
+  /// The rates of the last step, by overlap dof: the predictor; with inertia, and of bodies and multipliers, which have
+  /// no mesh that moves, the committed rates.
+  NodalView rates() const;
+  /// Extrapolates the guess with the predictor. Returns false, with x unchanged, where nothing moves, where the terms
+  /// cannot be evaluated there, or where the imbalance is larger.
   bool extrapolate(Vector& x);
   /// Linear prediction: where prescribed unknowns move or a term asks for it, replaces the guess `x` by the linear
   /// response of the committed state. Otherwise all other unknowns would stay behind, and a large motion would fold or

@@ -58,6 +58,7 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
   report.factorisations = system_.factorisations();
   if (report.converged) {
     system_.convergence().accept(x);
+    Kokkos::deep_copy(system_.store().trial().predictor, system_.store().trial().rate);
   } else {
     report.reason += system_.hints();
     system_.forget_solver();

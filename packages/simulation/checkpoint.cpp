@@ -90,8 +90,11 @@ std::vector<StateArray> arrays_of(Model& model, const NodalView& initial_pressur
   forces.shares = true;
   forces.receivers = dofs.num_owned_dofs();
   std::vector<StateArray> arrays{
-      nodal("nodal/value", state.value, dof), nodal("nodal/rate", state.rate, dof),
-      nodal("nodal/acceleration", state.acceleration, dof), nodal("nodal/initial pressure", initial_pressure, dof),
+      nodal("nodal/value", state.value, dof),
+      nodal("nodal/rate", state.rate, dof),
+      nodal("nodal/acceleration", state.acceleration, dof),
+      nodal("nodal/predictor", state.predictor, dof),
+      nodal("nodal/initial pressure", initial_pressure, dof),
       StateArray{"nodal/coordinates", state.coordinates.data(), state.coordinates.size(), node}};
   std::size_t slot = 0;
   std::map<std::string, int> namesakes;
@@ -273,6 +276,9 @@ void Checkpoint::read(Model& model, const ExcessPressure& pressure, Progress& pr
     try {
       read_progress(model, progress);
       check_stages(model, progress);
+      // a checkpoint of an earlier version has no predictor
+      if (const auto rate = data_.arrays.find("nodal/rate"); rate != data_.arrays.end())
+        data_.arrays.emplace("nodal/predictor", rate->second);
       for (const StateArray& array : arrays_of(model, pressure.initial())) restore(data_, array);
     } catch (const InputError& error) {
       throw InputError(path_ + ": " + error.what());

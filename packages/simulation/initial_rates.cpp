@@ -22,7 +22,8 @@ void InitialRates::give(const StepRequest& first) const {
   const bool keeps = stage_.initial_rates == Stage::InitialRates::keep ||
                      (stage_.initial_rates == Stage::InitialRates::automatic && stage_.type == Stage::Type::dynamic);
   if (!keeps) Kokkos::deep_copy(state.acceleration, 0.0);
-  if (stage_.initial_rates == Stage::InitialRates::zero) Kokkos::deep_copy(state.rate, 0.0);
+  if (stage_.initial_rates == Stage::InitialRates::zero)
+    for (const NodalView& rates : {state.rate, state.predictor}) Kokkos::deep_copy(rates, 0.0);
   if (stage_.type != Stage::Type::dynamic) return;
   if (before_ && before_->type == Stage::Type::quasi_static) judge(first);
   if (stage_.initial_rates == Stage::InitialRates::consistent &&
