@@ -28,8 +28,8 @@ struct State {
   double time = 0;
   Increment increment;                  // stage and number of the next increment
   NodalView value, rate, acceleration;  // by overlap dof; the acceleration of first-order fields is unused
-  /// Rates at the end of the last step, with which the first guess of the next one goes on. Where the mesh moves they
-  /// stay with the nodes: soil flows past a body, and the nodes that go along with it see the same flow again.
+  /// Rates at the end of the last step, with which the first guess of a step without inertia goes on. Where the mesh
+  /// moves they stay with the nodes: soil flows past a body, and nodes that go along with it see the same flow again.
   NodalView predictor;
   std::vector<NodalView> history_forces;  // F_n of each history term: this rank's contributions, by overlap dof
   CoordinateView coordinates;             // (node, dimension) [m] current

@@ -53,12 +53,13 @@ bool FirstGuess::improve(Vector& x, bool extrapolates) { return !(extrapolates &
 
 NodalView FirstGuess::rates() const {
   const State& old = system_.store().committed();
+  if (system_.scheme().inertia) return old.rate;
   const Space& space = system_.space();
   const NodalView result("first guess", old.rate.extent(0));
   for (int f = 0; f < space.num_fields(); ++f) {
-    const bool goes_on = system_.scheme().inertia || space.field(f).support == Support::apart;
+    const NodalView from = space.field(f).support == Support::apart ? old.rate : old.predictor;
     for (const auto& range : overlap_ranges(*space.dofs(), f))
-      Kokkos::deep_copy(Kokkos::subview(result, range), Kokkos::subview(goes_on ? old.rate : old.predictor, range));
+      Kokkos::deep_copy(Kokkos::subview(result, range), Kokkos::subview(from, range));
   }
   return result;
 }

@@ -93,7 +93,8 @@ class Sounding(RestartCase):
         half = found["dissipation", "excess pore pressure at the filter half dissipated after"]
         after, since = u2[end + 1:], history.time[end + 1:] - history.time[end]
         peak = int(np.argmax(np.abs(after)))  # a filter that the soil has just reached may swing before
-        first = peak + int(np.argmax(np.abs(after[peak:]) <= 0.5 * found["dissipation", "highest excess pore pressure at the filter"]))
+        highest = found["dissipation", "highest excess pore pressure at the filter"]
+        first = peak + int(np.argmax(np.abs(after[peak:]) <= 0.5 * highest))
         self.assertTrue(since[first - 1] < half <= since[first], (since[first - 1], half, since[first]))
         # rigidity: G/s_u of Modified Cam Clay, the same at all depths
         ratio = 1.3e3 / 6e3
