@@ -1,7 +1,9 @@
 #include "physics/conditions/absorbing.hpp"
+#include "physics/conditions/fluid_supply.hpp"
 #include "physics/conditions/in_situ_support.hpp"
 #include "physics/conditions/prescribed.hpp"
 #include "physics/conditions/side_terms.hpp"
+#include "physics/conditions/well.hpp"
 #include "physics/register.hpp"
 
 namespace mudline {
@@ -17,6 +19,8 @@ void register_conditions(Registry<Condition>& registry) {
   registry.add<Traction>("traction", "force per current area in fixed directions");
   registry.add<SurfacePressure>("pressure", "pressure that follows the current surface");
   registry.add<NormalFlux>("flux", "prescribed outward flux of a scalar field, by default the discharge of pore water");
+  registry.add<FluidSupply>("fluid supply", "water that enters the soil of a region inside, per volume and time");
+  registry.add<Well>("well", "water that enters the soil at a point or along a line");
   registry.add<InSituSupport>("in-situ support",
                               "holds a set as it is when it becomes active: along a hole in the initial state, until a "
                               "stage without it");

@@ -6,6 +6,7 @@
 
 #include "core/tests/input_error.hpp"
 #include "framework/closed_sides.hpp"
+#include "physics/conditions/well.hpp"
 #include "soil_model.hpp"
 #include "tensor/vec.hpp"
 
@@ -184,6 +185,18 @@ TEST(Conditions, FluxIsPerInitialArea) {
     EXPECT_NEAR(load(model, "pump", 2), 0.25 * 3 * (round ? 2 * pi * 3 : 1), 1e-12);  // outflow is positive
     EXPECT_EQ(load(model, "pump", 0), 0);
   }
+}
+
+TEST(Well, SharesOfALineAreLengths) {
+  std::vector<double> shares;
+  EXPECT_EQ(shares_of_line({0, 0, 3, 0, 0, 0, 0, 0, 1}, shares), "");  // at heights of 3, 0 and 1 m
+  EXPECT_NEAR(shares[0], 2.0 / 6, 1e-15);
+  EXPECT_NEAR(shares[1], 1.0 / 6, 1e-15);
+  EXPECT_NEAR(shares[2], 3.0 / 6, 1e-15);
+  EXPECT_EQ(shares_of_line({1, 2, 3}, shares), "");
+  EXPECT_EQ(shares, std::vector<double>{1.0});
+  EXPECT_EQ(shares_of_line({0, 0, 0, 1, 0, 0, 2, 1e-3, 0}, shares), "its nodes do not lie on a straight line");
+  EXPECT_EQ(shares_of_line({}, shares), "it has no nodes with a pore pressure");
 }
 
 TEST(AbsorbingBoundary, DashpotsHaveTheImpedancesOfUndrainedSoil) {
