@@ -1,8 +1,9 @@
-// Quarter of a square footing on a block of soil, surface at z = 0, in tetrahedra. Cells shrink towards the edge of the footing, where
-// the stress is singular, and towards the surface. `cells` are those along the half width of the footing; the others follow.
+// Quarter of a square footing on a block of soil, surface at z = 0, in tetrahedra or, with corners = 6 or 8, in wedges or
+// hexahedra. Cells shrink towards the edge of the footing, where the stress is singular, and towards the surface. `cells`
+// are those along the half width of the footing; the others follow.
 SetFactory("Built-in");
 DefineConstant[ half_width = {1.0, Name "half_width"}, width = {2.6, Name "width"}, depth = {1.5, Name "depth"},
-                cells = {5, Name "cells"}, ratio = {12, Name "ratio"} ];
+                cells = {5, Name "cells"}, ratio = {12, Name "ratio"}, corners = {4, Name "corners"} ];
 beside = Round(1.25*cells);
 down = Round(1.5*cells);
 a = half_width;
@@ -54,7 +55,14 @@ For i In {0:down - 1}
   counts() += {1};
   depths() += {at};
 EndFor
-below() = Extrude {0, 0, -depth} { Surface{1:4}; Layers{counts(), depths()}; };
+If (corners == 8)
+  Recombine Surface{1:4};
+EndIf
+If (corners == 4)
+  below() = Extrude {0, 0, -depth} { Surface{1:4}; Layers{counts(), depths()}; };
+Else
+  below() = Extrude {0, 0, -depth} { Surface{1:4}; Layers{counts(), depths()}; Recombine; };
+EndIf
 // of each extruded surface: its lower end, the volume, then the faces of its curve loop
 Physical Volume("clay") = {below(1), below(7), below(13), below(19)};
 Physical Surface("footing") = {1};

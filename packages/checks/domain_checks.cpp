@@ -153,7 +153,7 @@ void linear_cells(const Setup& setup, const Judge& judge) {
   const State& state = setup.model().store().committed();
   double stiffest = 0;
   for (const SoilBlock& b : soil.blocks) {
-    if (order(b.shape) > 1) continue;
+    if (order(b.shape) > 1 || b.dilatation_terms > 0) continue;
     const SoilPoints points(soil, b, state);
     for (int row = 0; row < b.elements * b.points; ++row) {
       const ElasticModuli m = points.moduli(row);
@@ -170,7 +170,8 @@ void linear_cells(const Setup& setup, const Judge& judge) {
 void linear_cells_that_yield(const Setup& setup, const Judge& judge) {
   if (setup.porous()) return;
   bool linear = false;
-  for (const SoilBlock& b : setup.model().soil()->blocks) linear = linear || order(b.shape) == 1;
+  for (const SoilBlock& b : setup.model().soil()->blocks)
+    linear = linear || (order(b.shape) == 1 && b.dilatation_terms == 0);
   if (!linear) return;
   for (const Section& entry : setup.materials()) {
     const std::string law = Setup::word(entry.section("skeleton"), "type");

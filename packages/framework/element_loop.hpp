@@ -6,6 +6,7 @@
 
 #include "discretisation/cell_map.hpp"
 #include "framework/element_shapes.hpp"
+#include "framework/fitted_dilatation.hpp"
 #include "framework/point_tangent.hpp"
 #include "framework/tangent_kernel.hpp"
 #include "framework/vector_scatter.hpp"
@@ -27,7 +28,7 @@ template <class Coordinates, class Shapes>
 struct ElementLoop {
   static constexpr int D = Coordinates::dim, NU = Shapes::NU, NS = Shapes::NS, S = Shapes::S;
   static constexpr int NQ = NS > 0 ? NS : 1, SQ = S > 0 ? S : 1;  // sizes of arrays that may be empty
-  static constexpr bool moves = Shapes::moves;
+  static constexpr bool moves = Shapes::moves, hoop = Coordinates::hoop;
   static constexpr int MU = moves ? D * NU : 0, columns = MU + S * NS;  // number of unknowns: displacement, all
   template <class Law>
   using Directions = LawDirections<Coordinates, S, Law>;
@@ -35,6 +36,7 @@ struct ElementLoop {
   using Rows = LawRows<Coordinates, S, Law>;
   template <class Law>
   static constexpr bool gradients = Law::gradients || Law::fluxes;  // whether a law needs those of scalar fields
+  static constexpr bool may_fit = moves && S == 0;                  // whether stresses may see a fitted volume strain
   using Fields = PointFields<Coordinates, S, double>;
   using Balance = PointBalance<Coordinates, S, double>;
 
@@ -144,15 +146,22 @@ struct ElementLoop {
   }
 
   /// Calls f(point, shape, fields) for the points of an element; stops and returns 1 where it is folded. Rates,
-  /// Gradients: whether rates, and gradients of scalar fields, are needed; else they are undefined.
-  template <bool Rates, bool Gradients, class F>
+  /// Gradients: whether rates, and gradients of scalar fields, are needed; else they are undefined. Strains: whether
+  /// the fields are those that stresses see.
+  template <bool Rates, bool Gradients, bool Strains = false, class F>
   KOKKOS_INLINE_FUNCTION int for_each_point(int e, F&& f) const {
     Nodes n;
     gather<Rates>(e, n);
+    constexpr bool may = may_fit && Strains;
+    [[maybe_unused]] std::conditional_t<may, FittedDilatation<ElementLoop>, int> fitted;
+    if constexpr (may)
+      if (b.dilatation_terms > 0 && !fitted.template find<Rates>(*this, n)) return 1;
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields here;
       if (!shapes<Gradients>(q, n.x, s) || !fields<Rates, Gradients>(n, s, here)) return 1;
+      if constexpr (may)
+        if (b.dilatation_terms > 0 && !fitted.template replace<Rates>(n, s, here)) return 1;
       f(q, s, here);
     }
     return 0;
@@ -167,11 +176,17 @@ struct ElementLoop {
     gather<Law::rates>(e, n);
     double r[NU][D] = {}, acting[NU][D] = {}, skeleton[NU][D] = {}, fluid[NU][D] = {};
     double stored[SQ][NQ] = {}, flown[SQ][NQ] = {}, cancelled[SQ][NQ] = {};
+    constexpr bool may = may_fit && Law::stresses;
+    [[maybe_unused]] std::conditional_t<may, FittedDilatation<ElementLoop>, int> fitted;
+    if constexpr (may)
+      if (b.dilatation_terms > 0 && !fitted.template find<Law::rates>(*this, n)) return 1;
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields f;
       Balance out;
       if (!shapes<gradients<Law>>(q, n.x, s) || !fields<Law::rates, gradients<Law>>(n, s, f)) return 1;
+      if constexpr (may)
+        if (b.dilatation_terms > 0 && !fitted.template replace<Law::rates>(n, s, f)) return 1;
       law(e * b.points + q, f, out);
       for (int a = 0; a < NU; ++a)
         for (int i = 0; i < D; ++i) {
@@ -307,13 +322,28 @@ struct ElementLoop {
     Nodes n;
     gather<Law::rates>(e, n);
     double ku[D * NU][width] = {}, kp[SQ * NQ][width] = {};
+    constexpr bool may = may_fit && Law::stresses && Law::motion;
+    [[maybe_unused]] std::conditional_t<may, FittedDilatation<ElementLoop>, int> fitted;
+    if constexpr (may)
+      if (b.dilatation_terms > 0) {
+        if (!fitted.template find<Law::rates>(*this, n)) return;
+        fitted.find_unit(*this, n);
+      }
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields f;
       if (!shapes<gradients<Law>>(q, n.x, s) || !fields<Law::rates, gradients<Law>>(n, s, f)) return;
+      if constexpr (may)
+        if (b.dilatation_terms > 0 && !fitted.template replace<Law::rates>(n, s, f)) return;
       double A[Rows<Law>::count][Directions<Law>::count], Y[Rows<Law>::count][width];
       PointTangent<Coordinates, S, Law>{at}(e * b.points + q, law, s.dv, f, A);
       to_unknowns<Law>(s, A, Y);
+      if constexpr (may)
+        if (b.dilatation_terms > 0) {
+          Balance out;
+          law(e * b.points + q, f, out);
+          fitted.template follow<Rows<Law>>(n, s, out, at.geometry_weight, A, Y);
+        }
       spread<Law>(s, Y, ku, kp);
     }
     if constexpr (Law::forces || Law::stresses) to.add(e, 0, first, ku, weight);

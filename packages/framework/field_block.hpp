@@ -13,7 +13,10 @@ constexpr int max_scalars = 2;  // most scalar fields of one block; element loop
 struct FieldBlock {
   CellShape shape, scalar_shape;
   int elements = 0, points = 0;
-  int degree = 0;         // degree of the quadrature
+  int degree = 0;  // degree of the quadrature
+  // Terms of the polynomial fitted to the volume strain that stresses see, against volumetric locking: 1 or one more
+  // than directions; 0: the volume strain of each point.
+  int dilatation_terms = 0;
   int displacement = -1;  // index of the displacement field; -1: not among the unknowns
   int scalars = 0;        // number of scalar fields
   int scalar[max_scalars] = {};

@@ -34,6 +34,7 @@ struct SkeletonResponse {
 ///     void parameters(Parameters&);
 /// It may have these too:
 ///     void check(const Section&);                          rules across parameters
+///     static constexpr bool volume_apart = true;           see Skeleton
 ///     void prepare();                                      computes constants from the parameters, once
 ///     double k0(double ocr) const;
 ///     double void_ratio(const InitialPoint&) const;
@@ -59,6 +60,12 @@ class PointwiseSkeleton : public Skeleton {
   }
   ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const override {
     return law_.moduli(stress, void_ratio, state);
+  }
+  bool volume_apart() const override {
+    if constexpr (detail_has_volume_apart<Law>::value)
+      return Law::volume_apart;
+    else
+      return Skeleton::volume_apart();
   }
   double k0(double ocr) const override {
     if constexpr (detail_has_k0<Law>::value)
@@ -133,6 +140,10 @@ class PointwiseSkeleton : public Skeleton {
   template <class T>
   struct detail_has_check<T, std::void_t<decltype(std::declval<T&>().check(std::declval<const Section&>()))>>
       : std::true_type {};
+  template <class T, class = void>
+  struct detail_has_volume_apart : std::false_type {};
+  template <class T>
+  struct detail_has_volume_apart<T, std::void_t<decltype(T::volume_apart)>> : std::true_type {};
   template <class T, class = void>
   struct detail_has_k0 : std::false_type {};
   template <class T>

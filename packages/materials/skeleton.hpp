@@ -112,6 +112,9 @@ class Skeleton {
   }
   /// Fills `state` (state_size values). Returns "" or the reason why the law cannot start from this point.
   virtual std::string initialise(const InitialPoint& point, double* state) const = 0;
+  /// Whether volume and shear are apart: the mean stress follows the volume strain alone, does not act on stiffness and
+  /// strength in shear, and yielding does not change the volume.
+  virtual bool volume_apart() const { return false; }
   /// Whether the law reads SkeletonWorkset::surroundings, which cost time to fill.
   virtual bool wants_surroundings() const { return false; }
   /// Updates all points; returns the number of failed ones (flags in workset.failed).

@@ -43,7 +43,18 @@ class Biot : public SoilPhysics {
 
 class Solid : public SoilPhysics {
  public:
-  void parameters(Parameters& p) { common_parameters(p); }
+  void parameters(Parameters& p) {
+    common_parameters(p);
+    volume_strain_ = VolumeStrain::automatic;
+    p.choice("volume strain", volume_strain_,
+             {{"automatic", VolumeStrain::automatic},
+              {"fitted", VolumeStrain::fitted},
+              {"at points", VolumeStrain::at_points}},
+             "the volume strain that the laws see. fitted: a constant, in quad9 and hex27 a linear function, fitted to "
+             "that of the cell's points, so that cells do not lock where the soil keeps its volume (mean dilatation, "
+             "F-bar), for laws whose mean stress follows the volume strain alone; at points: each point's own; "
+             "automatic: fitted in quad4, hex8 and wedge6 with such a law");
+  }
   std::vector<Field> fields() const override { return {displacement_field()}; }
 };
 

@@ -327,8 +327,26 @@ void check_layers(const std::vector<std::shared_ptr<const SoilMaterial>>& layers
 
 }  // namespace
 
+namespace {
+
+/// Terms of the fit of the volume strain in the cells of a block; 0: no fit. There is none where a cell has no more
+/// than two points per term: so few points do not lock. Nor is there one where a law joins volume and shear: where
+/// yielding changes the volume, the points of a cell would be pressed together or pulled apart without end.
+int dilatation_terms(const Soil& soil, const SoilBlock& block, VolumeStrain how) {
+  if (how == VolumeStrain::at_points || (how == VolumeStrain::automatic && order(block.shape) > 1)) return 0;
+  for (const int k : block.made_of)
+    if (!soil.materials[k]->skeleton->volume_apart()) return 0;
+  int terms = 1;
+  if (block.shape == CellShape::tri3 || block.shape == CellShape::tet4) terms = 0;
+  if (block.shape == CellShape::quad9) terms = 3;
+  if (block.shape == CellShape::hex27) terms = 4;
+  return block.points > 2 * terms ? terms : 0;
+}
+
+}  // namespace
+
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
-                                int degree, const Section& where) {
+                                int degree, VolumeStrain volume_strain, const Section& where) {
   const bool porous = !scalars.empty();
   auto soil = std::make_shared<Soil>();
   soil->space = &space;
@@ -361,6 +379,7 @@ std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, 
                                            soil->materials.begin()));
     const int own = degree > 0 ? degree : default_degree(elements.shape);
     static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, own);
+    b.dilatation_terms = porous ? 0 : dilatation_terms(*soil, b, volume_strain);
     const int products = 2 * order(elements.shape);  // degree of the product of two shape functions
     b.mass = own < products ? b.with_quadrature(products) : b;
     soil->blocks.push_back(b);

@@ -123,12 +123,18 @@ struct Soil {
   void sparsity(Assembler& assembler);
 };
 
+/// The volume strain that the laws of single-phase soil see. At points: that of each point. Fitted: a constant or, in
+/// quad9 and hex27, a linear function fitted to that of the cell's points, so that the cell does not lock where the
+/// soil keeps its volume. It is for laws with Skeleton::volume_apart, and for all cells but tri3 and tet4. Automatic:
+/// fitted in quad4, hex8 and wedge6 with such a law.
+enum class VolumeStrain { automatic, fitted, at_points };
+
 /// Pairs every element block with the materials that name its region. `scalars`: the fields beside the displacement:
 /// none, the pore pressure, or pore pressure and temperature. InputError when no material names a region, when several
 /// name it that are no layers, or when one does not fit (with pore pressure: fluid and permeability required; otherwise
 /// refused). quadrature_degree: 0 stands for the default of the cell.
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
-                                int quadrature_degree, const Section& where);
+                                int quadrature_degree, VolumeStrain volume_strain, const Section& where);
 
 /// The fields of soil, with the same declaration in every physics.
 Field displacement_field();

@@ -13,8 +13,10 @@ namespace mudline {
 
 void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   if (context.shared.find<Soil>()) section.fail("only one physics may own the displacements");
-  soil_ = make_soil(context.space, context.materials, scalar_fields(), quadrature_, context.materials_section);
+  soil_ = make_soil(context.space, context.materials, scalar_fields(), quadrature_, volume_strain_,
+                    context.materials_section);
   context.shared.offer(soil_);
+  if (volume_strain_ == VolumeStrain::fitted) require_fit(section);
   soil_->excess = excess_;
   soil_->gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   soil_->up = gravity_.up(context.space.mesh().dimension());
@@ -33,6 +35,22 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
 void SoilPhysics::initialise(StateStore& store, const Section& section) {
   initial_.apply(*soil_, store, gravity_, section.section("initial state"));
   if (!porous()) warn_of_locking(store.committed());
+}
+
+void SoilPhysics::require_fit(const Section& section) const {
+  for (const SoilBlock& b : soil_->blocks) {
+    if (b.dilatation_terms > 0) continue;
+    for (const int k : b.made_of)
+      if (const SoilMaterial& material = *soil_->materials[k]; !material.skeleton->volume_apart())
+        section.fail(
+            "'fitted' is for laws whose mean stress follows the volume strain alone: linear elastic, "
+            "neo-hookean, tresca, von mises; material '" +
+                material.name + "' is " + material.law,
+            "volume strain");
+    section.fail(std::string("'fitted' has no effect in ") + mudline::name(b.shape) + " cells with " +
+                     std::to_string(b.points) + (b.points == 1 ? " point" : " points"),
+                 "volume strain");
+  }
 }
 
 void SoilPhysics::common_parameters(Parameters& p) {
@@ -82,18 +100,18 @@ void SoilPhysics::require_one_fluid_density(const Section& materials, const std:
 }
 
 /// Nine-node cells that are incompressible at 3 x 3 points have too few deformation modes left (volumetric locking):
-/// collapse loads are some per cent too high (docs/materials.md, section 9). In saturated soil the pore pressure
-/// enforces constant volume instead.
+/// collapse loads are some per cent too high (docs/materials.md, section 9).
 void SoilPhysics::warn_of_locking(const State& state) const {
   for (const SoilBlock& b : soil_->blocks) {
     const SoilPoints points(*soil_, b, state);
-    if (b.shape != CellShape::quad9 || b.points < 9 || b.elements == 0) continue;
+    if (b.shape != CellShape::quad9 || b.points < 9 || b.dilatation_terms > 0 || b.elements == 0) continue;
     const SoilMaterial& material = points.material(0);
     const ElasticModuli m = points.moduli(0);
     if (material.skeleton->state_size() > 0 && (3 * m.bulk - 2 * m.shear) / (6 * m.bulk + 2 * m.shear) >= 0.48)
       log::warn("material '" + material.name +
                 "' is nearly incompressible: nine-node cells with 3 x 3 points are some per cent too stiff "
-                "where it yields; six-node triangles with 'quadrature degree' 2 are not");
+                "where it yields; 'volume strain' = 'fitted' mends that, as do six-node triangles with 'quadrature "
+                "degree' 2");
   }
 }
 

@@ -30,10 +30,13 @@ class SoilPhysics : public Physics {
   std::shared_ptr<Soil> soil_;
   Gravity gravity_;
   bool excess_ = false;
+  VolumeStrain volume_strain_ = VolumeStrain::at_points;
 
  private:
   bool porous() const { return !scalar_fields().empty(); }
   void warn_of_locking(const State& state) const;
+  /// InputError where the fitted volume strain has no effect, or the law does not suit it.
+  void require_fit(const Section& section) const;
 
   InitialState initial_;
   static constexpr int cell_default = 0;

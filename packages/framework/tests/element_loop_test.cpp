@@ -190,6 +190,86 @@ TEST(ElementLoop, TheTangentIsTheDifferencedResidual) {
   EXPECT_LT((error_of_tangent<Space3, ElementShapes<8, 8, 1>>(Geometry::space, "hex8")), 1e-8);
 }
 
+/// A stress by the motion in the step, whose derivatives are written by hand as those of soil are.
+struct Compressible : PointLaw {
+  static constexpr bool stresses = true, rates = false;
+
+  template <class C, int S, class T>
+  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    constexpr int D = C::dim;
+    Mat<double, D> back;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) {
+        back[i][j] = (i == j ? 1.0 : 0.0) - at.moved[i][j];
+        out.stress[i][j] = 0.3 * (row % 5) * (i + 1) - 0.2 * j;
+      }
+    const double start = determinant(back) * (1 - at.hoop_moved);
+    for (int i = 0; i < D; ++i) out.stress[i][i] += T(10 * start * start);
+    out.hoop_stress = 0.7 + 20 * start * start;
+    if constexpr (!std::is_same_v<T, double>)
+      for (int j = 0; j < D + (C::hoop ? 1 : 0); ++j) {
+        const int way = j < D ? D * j + j : D * D;
+        for (int i = 0; i < D; ++i) out.stress[i][i].d[way] -= 20 * start * start;
+        out.hoop_stress.d[way] = -40 * start * start;
+      }
+  }
+};
+
+/// A block without scalar fields whose stresses see a fitted volume strain.
+FieldBlock fitted_block(const LoopModel& model, int terms) {
+  FieldBlock block(model.space, 0, LoopModel::displacement, {}, 3);
+  block.dilatation_terms = terms;
+  return block;
+}
+
+template <class C, class Shapes>
+double error_of_fitted_tangent(Geometry geometry, const std::string& cell, int terms) {
+  const LoopModel model(geometry, cell, 1, 1);
+  model.set(model.value, [](const Point& x) {
+    return Point{0.1 * std::sin(x[0] + x[1]), 0.05 * std::cos(x[0] - x[2]), 0.1 * x[0] * x[1]};
+  });
+  const FieldBlock block = fitted_block(model, terms);
+  const ElementLoop<C, Shapes> loop{block, model.level()};
+  const auto assemble = [&](const MatrixScatter& to) {
+    for (int e = 0; e < block.elements; ++e) loop.tangent(e, Compressible(), to, 1);
+  };
+  return tangent_error(model, block.dofs, assemble,
+                       [&] { EXPECT_EQ((evaluate<C, Shapes>(model, block, Compressible())), 0); });
+}
+
+TEST(ElementLoop, TheTangentIsTheDifferencedResidualWithAFittedVolumeStrain) {
+  for (const int terms : {0, 1}) {
+    EXPECT_LT((error_of_fitted_tangent<PlaneStrain, ElementShapes<4, 0, 0>>(Geometry::plane_strain, "quad4", terms)),
+              1e-8);
+    EXPECT_LT((error_of_fitted_tangent<Axisymmetric, ElementShapes<4, 0, 0>>(Geometry::axisymmetric, "quad4", terms)),
+              1e-8);
+    EXPECT_LT((error_of_fitted_tangent<Space3, ElementShapes<8, 0, 0>>(Geometry::space, "hex8", terms)), 1e-8);
+    EXPECT_LT((error_of_fitted_tangent<Space3, ElementShapes<10, 0, 0>>(Geometry::space, "tet10", terms)), 1e-8);
+  }
+  EXPECT_LT((error_of_fitted_tangent<Axisymmetric, ElementShapes<9, 0, 0>>(Geometry::axisymmetric, "quad9", 3)), 1e-8);
+}
+
+TEST(ElementLoop, AFittedVolumeStrainIsThatOfTheElement) {
+  const LoopModel model(Geometry::plane_strain, "quad4", 1, 1);
+  // bends: u_x = 0.1 x y about the middle, which changes the volume of every point, but not that of the element
+  model.set(model.value, [](const Point& x) { return Point{0.1 * (x[0] - 1) * (x[1] - 0.5), 0, 0}; });
+  model.follow();
+  model.set(model.rate, [](const Point& x) { return Point{0.3 * (x[0] - 1) * (x[1] - 0.5) + 0.2 * x[0], 0, 0}; });
+  const FieldBlock block = fitted_block(model, 1);
+  const ElementLoop<PlaneStrain, ElementShapes<4, 0, 0>> loop{block, model.level()};
+  double spread = 0;
+  loop.for_each_point<true, false, true>(0, [&](int, const auto&, const auto& f) {
+    const double start = (1 - f.moved[0][0]) * (1 - f.moved[1][1]) - f.moved[0][1] * f.moved[1][0];
+    EXPECT_NEAR(start, 1, 1e-13);
+    EXPECT_NEAR(f.divergence(), 0.2, 1e-13);
+    spread = std::max(spread, std::abs(f.volume_ratio - 1));
+  });
+  EXPECT_GT(spread, 0.02);  // the volume ratio stays that of the point
+  loop.for_each_point<true, false>(0, [&](int, const auto&, const auto& f) {
+    EXPECT_NEAR((1 - f.moved[0][0]) * f.volume_ratio, 1, 1e-13);  // without the fit
+  });
+}
+
 /// A force on the displacement that asks for no scalar fields.
 struct Drag : PointLaw {
   static constexpr bool forces = true, motion = false, scalars = false;

@@ -83,7 +83,7 @@ struct ElementStaging {
       if (!staging.stage(e * points + next, (e - first) * points + next, at)) ++inverted;
       ++next;
     };
-    loop.template for_each_point<false, false>(
+    loop.template for_each_point<false, false, true>(
         e, [&](int, const typename Loop::Shape&, const typename Loop::Fields& at) { stage(at); });
     typename Loop::Fields still{};  // used from the point on where the element is folded: no motion
     still.volume_ratio = 1;

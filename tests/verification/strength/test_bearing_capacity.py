@@ -12,6 +12,8 @@ from strength_case import StrengthCase
 COHESION = 10e3
 ROUGH = ("boundary conditions/footing/x=0.0", "mesh/parameters/ratio=30")
 CIRCLE = ("mesh/geometry=axisymmetric",)
+QUAD9 = ("mesh/parameters/triangles=0", "physics/ground/quadrature degree=4")
+QUAD4 = ("mesh/parameters/triangles=0", "physics/ground/quadrature degree=3", "mesh/order=1")
 
 
 class BearingCapacity(StrengthCase):
@@ -48,6 +50,14 @@ class BearingCapacity(StrengthCase):
     def test_rough_circle_on_clay(self):
         self.assert_sequence("strip_tresca", ROUGH + CIRCLE, 6.048, {6: 0.03, 8: 0.02}, np.pi)
 
+    def test_quadrilaterals_do_not_lock(self):
+        """With the volume strain at the points quad4 bears three times as much, quad9 1.4 to 2.8 % more than exact."""
+        fitted = QUAD9 + ("physics/ground/volume strain=fitted",)
+        self.assert_sequence("strip_tresca", fitted, 5.141593, {4: 0.01, 6: 0.005})
+        self.assert_sequence("strip_tresca", QUAD4, 5.141593, {4: 0.05, 8: 0.02})
+        self.assert_sequence("strip_tresca", fitted + ROUGH + CIRCLE, 6.048, {4: 0.02, 6: 0.007}, np.pi)
+        self.assert_sequence("strip_tresca", QUAD4 + ROUGH + CIRCLE, 6.048, {4: 0.10, 8: 0.035}, np.pi)
+
     def test_strip_phi_20(self):
         self.assert_sequence("strip_mohr_coulomb", (), 14.834712, {4: 0.03, 6: 0.015, 8: 0.01})
 
@@ -80,13 +90,19 @@ class BearingCapacity(StrengthCase):
         return (np.exp(np.pi * np.tan(phi)) * np.tan(np.pi / 4 + phi / 2) ** 2 - 1) / np.tan(phi)
 
     def test_cells_that_lock_are_named(self):
-        quads = ("mesh/parameters/triangles=0", "physics/ground/quadrature degree=4")
-        for settings, warned in (((), False), (quads, True), (quads + ("materials/soil/skeleton/Poisson's ratio=0.3",), False)):
+        fitted = QUAD9 + ("physics/ground/volume strain=fitted",)
+        for settings, warned in (((), False), (QUAD9, True), (fitted, False), (QUAD9 + ("materials/soil/skeleton/Poisson's ratio=0.3",), False)):
             arguments = ["run", "-q", "--steps", "1", self.deck("bearing_capacity", "strip_tresca")]
             for setting in settings:
                 arguments += ["--set", setting]
             done = program(arguments, 1, self.folder)
             self.assertEqual("3 x 3 points are some per cent too stiff" in done.stderr, warned, done.stderr)
+
+    def test_a_fit_that_does_not_suit_the_law_is_refused(self):
+        done = program(["check", self.deck("bearing_capacity", "strip_mohr_coulomb"), "--set", "physics/ground/volume strain=fitted"], 1, self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("physics/ground/volume strain: 'fitted' is for laws whose mean stress follows the volume strain alone: linear elastic, "
+                      "neo-hookean, tresca, von mises; material 'soil' is mohr-coulomb", done.stderr)
 
 
 if __name__ == "__main__":
