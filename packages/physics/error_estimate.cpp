@@ -307,11 +307,10 @@ void ErrorEstimator::measure_block(const BlockTables& t, const State& state, con
       if (pressure != nullptr) {
         pressure->evaluate(&b.nodes(e, 0), t.corners, N, t.places[row], &p, slope);
         p -= t.pressure[row];
-        const double mobility = soil.conductivity(row) / soil.material(row).fluid->unit_weight();
-        for (int i = 0; i < dim; ++i) {
-          sums.flow_error += dv * mobility * std::pow(slope[i] - t.slope[row][i], 2);
-          sums.flow += dv * mobility * std::pow(t.slope[row][i], 2);
-        }
+        const double mobility = dv * soil.mobility(row), *found = t.slope[row].data();
+        for (int i = 0; i < dim; ++i) slope[i] -= found[i];
+        sums.flow_error += mobility * soil.along_ratios(row, slope, slope, dim);
+        sums.flow += mobility * soil.along_ratios(row, found, found, dim);
       }
       const double* rate = error + tensor;
       power += dv * (contract(error, rate) - soil.material(row).biot_coefficient * p * (rate[0] + rate[1] + rate[2]));

@@ -166,6 +166,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
           for (int c = 0; c < static_cast<int>(state.arrays[b.origin].extent(1)); ++c)
             state.arrays[b.origin](row, c) = c == 0 ? b.start(row, 0) : point.position[c - 1];
         for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
+        if (b.permeability >= 0)
+          for (int c = 0; c < 6; ++c) state.arrays[b.permeability](row, c) = material.permeability_ratios.tensor()[c];
         state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
         const std::string reason = rest.empty()
                                        ? start_guarded(*material.skeleton, point,

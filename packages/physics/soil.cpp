@@ -38,7 +38,10 @@ void SoilMaterial::parameters(Parameters& p) {
   p.passes_on("skeleton", "effective-stress law; see the skeleton types");
   p.passes_on("fluid", "pore fluid; see the fluid types (saturated soil only)");
   p.passes_on("permeability", "conductivity law; see the permeability types (saturated soil only)");
+  permeability_ratios.parameters(p);
   if (p.documenting()) return;
+  if (permeability_ratios.given() && !p.deck().has_section("permeability"))
+    p.deck().fail("there is no 'permeability' to which the ratios refer", "permeability ratios");
   const bool both = p.given("porosity") && p.given("void ratio"), none = !p.given("porosity") && !p.given("void ratio");
   if (both) p.deck().fail("contradictory: give 'void ratio' or 'porosity', not both", "porosity");
   if (void_ratio_from_law && !none)
@@ -179,6 +182,9 @@ void Soil::declare_state(StateStore& store) {
       return materials[one]->skeleton->state_size() < materials[two]->skeleton->state_size();
     });
     b.law = store.declare(at_points("law", materials[*widest]->skeleton->state_variables()).then_evaluated());
+    if (std::any_of(b.made_of.begin(), b.made_of.end(),
+                    [&](int k) { return materials[k]->permeability_ratios.given(); }))
+      b.permeability = store.declare(at_points("permeability ratios", {{"permeability ratios", 6, "-"}}));
     if (!layered()) continue;
     std::vector<StateVariable> place{{"material", 1, "-"}};
     for (int i = 0; i < space->mesh().dimension(); ++i)

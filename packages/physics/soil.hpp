@@ -11,6 +11,7 @@
 #include "framework/space.hpp"
 #include "framework/state.hpp"
 #include "materials/register_materials.hpp"
+#include "physics/permeability_ratios.hpp"
 
 namespace mudline {
 
@@ -40,6 +41,7 @@ class SoilMaterial : public Material {
   std::string law;                             // registered type of the skeleton
   std::shared_ptr<Fluid> fluid;                // null: single phase (total stress)
   std::shared_ptr<Permeability> permeability;  // null: single phase
+  PermeabilityRatios permeability_ratios;
   bool porous() const { return fluid != nullptr; }
   bool has_top = false;  // the soil lies below the height `top` [m], a function of the position at the start
   Function top;
@@ -61,6 +63,7 @@ struct SoilBlock : FieldBlock {
   PointView start;           // index of the material of each point at the start
   int origin = -1;  // state handle: (material index, position of the soil at the start); -1: no region has layers
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
+  int permeability = -1;  // state handle: tensor of PermeabilityRatios, turned with the soil; -1: all of ones
   bool porous() const { return scalars > 0; }
   FieldBlock mass;  // the same elements with enough points for a mass matrix of full rank
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/soil.hpp"
+#include "tensor/midpoint_rule.hpp"
 
 namespace mudline {
 
@@ -24,7 +25,8 @@ class SoilPoints {
         which_(soil.which(block, state)),
         stress_(state.arrays[block.stress]),
         void_ratio_(state.arrays[block.void_ratio]),
-        law_(state.arrays[block.law]) {}
+        law_(state.arrays[block.law]),
+        ratios_(block.permeability >= 0 ? state.arrays[block.permeability] : PointView()) {}
 
   const SoilMaterial& material(int row) const { return *(*materials_)[static_cast<int>(which_(row, 0))]; }
   const double* stress(int row) const { return &stress_(row, 0); }
@@ -55,13 +57,25 @@ class SoilPoints {
   double conductivity(int row) const {
     return material(row).permeability->conductivity(void_ratio(row), void_ratio_(row, 1)).k;
   }
+  /// Mobility k/gamma_w [m2/(Pa s)] of saturated soil, without the ratios of directions.
+  double mobility(int row) const { return conductivity(row) / material(row).fluid->unit_weight(); }
+  /// a . r b with the tensor r of PermeabilityRatios. a, b: `dimension` components.
+  double along_ratios(int row, const double* a, const double* b, int dimension) const {
+    double sum = 0;
+    for (int i = 0; i < dimension; ++i) {
+      if (ratios_.extent(0) == 0) sum += a[i] * b[i];
+      if (ratios_.extent(0) > 0)
+        for (int j = 0; j < dimension; ++j) sum += a[i] * ratios_(row, six(i, j)) * b[j];
+    }
+    return sum;
+  }
 
  private:
   static double constrained(const ElasticModuli& m) { return m.bulk + 4.0 / 3 * m.shear; }
 
   const std::vector<std::shared_ptr<const SoilMaterial>>* materials_;
   bool porous_;
-  PointView which_, stress_, void_ratio_, law_;
+  PointView which_, stress_, void_ratio_, law_, ratios_;
 };
 
 }  // namespace mudline

@@ -51,7 +51,7 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
                                                      const typename Loop::Fields&) {
       const int row = e * b.points + q;
       const ElasticModuli m = points.moduli(row);
-      const double mobility = b.porous() ? points.conductivity(row) / points.material(row).fluid->unit_weight() : 0.0;
+      const double mobility = b.porous() ? points.mobility(row) : 0.0;
       const double values[6] = {
           1,       m.bulk + 4.0 / 3 * m.shear, m.bulk + sideways * m.shear, points.density(row), points.storage(row),
           mobility};
@@ -60,7 +60,7 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
       for (int c = 0; c < NP; ++c)
         for (int d = 0; d < NP; ++d) {
           q_e[c][d] += s.dv * compliance * s.Np[c] * s.Np[d];
-          for (int i = 0; i < Loop::D; ++i) l_e[c][d] += s.dv * s.gp[c][i] * s.gp[d][i];
+          l_e[c][d] += s.dv * points.along_ratios(row, s.gp[c], s.gp[d], Loop::D);
         }
     });
     if constexpr (NP > 0) {

@@ -2,6 +2,7 @@
 
 #include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
+#include "tensor/midpoint_rule.hpp"
 
 namespace mudline {
 
@@ -13,6 +14,7 @@ struct Darcy {
   double gravity[3];     // [m/s2]
   double lift;           // fluid density whose weight excess pore pressures leave out [kg/m3]
   PointView void_ratio;  // (point; e and initial e) at the start of the step
+  PointView ratios;      // (point; tensor of PermeabilityRatios) at the start of the step; empty: all of ones
   PointView elsewhere;   // (point; temperature, its change since the start of the step) if it is not among the fields
 
   /// For laws with the soil's own fields.
@@ -43,6 +45,17 @@ struct Darcy {
     const Conductivity::Value k = here.conductivity(value(e), void_ratio(row, 1));
     return chain(e, k.k, k.dk_de) * (1 / here.unit_weight);
   }
+  /// Minus the discharge [m/s] by a mobility [m2/(Pa s)] and what drives the flow, grad p - rho_f g [N/m3].
+  template <int D, class T>
+  KOKKOS_INLINE_FUNCTION void minus_discharge(int row, const T& mobility, const T (&drive)[D], T (&w)[D]) const {
+    for (int i = 0; i < D; ++i) {
+      w[i] = mobility * drive[i];
+      if (ratios.extent(0) == 0) continue;
+      T sum = 0.0;
+      for (int j = 0; j < D; ++j) sum += ratios(row, six(i, j)) * drive[j];
+      w[i] = mobility * sum;
+    }
+  }
   /// Minus the discharge, kappa (grad p - rho_f g) [m/s]. It has no acceleration of the fluid.
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void minus_discharge(int row, const PointFields<C, S, T>& at, T (&w)[C::dim]) const {
@@ -53,7 +66,9 @@ struct Darcy {
       kappa = kappa * here.fluidity(t);
       weight = here.fluid_density_at(t) - lift;
     }
-    for (int i = 0; i < C::dim; ++i) w[i] = kappa * (at.gradient[here.pressure][i] - weight * gravity[i]);
+    T drive[C::dim];
+    for (int i = 0; i < C::dim; ++i) drive[i] = at.gradient[here.pressure][i] - weight * gravity[i];
+    minus_discharge(row, kappa, drive, w);
   }
 };
 

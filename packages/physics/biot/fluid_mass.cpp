@@ -21,11 +21,12 @@ struct PoreWater : Medium {
     const Mixture& mixture = darcy.mixture(row);
     const double density = mixture.fluid_density, weight = density - darcy.lift;
     out.storage[pore_pressure] = mixture.alpha * at.divergence() + mixture.storage(n) * at.rate[pore_pressure];
+    T drive[C::dim];
     for (int i = 0; i < C::dim; ++i) {
-      T drive = at.gradient[pore_pressure][i] - weight * darcy.gravity[i];
-      if constexpr (FluidAcceleration) drive += density * at.acceleration[i];
-      out.flux[pore_pressure][i] = mobility * drive;
+      drive[i] = at.gradient[pore_pressure][i] - weight * darcy.gravity[i];
+      if constexpr (FluidAcceleration) drive[i] += density * at.acceleration[i];
     }
+    darcy.minus_discharge(row, mobility, drive, out.flux[pore_pressure]);
   }
 };
 

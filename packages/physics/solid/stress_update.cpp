@@ -41,6 +41,7 @@ struct PointStaging {
   ByMaterial<Mixture> mixtures;
   LawInput to;
   PointView stress, law, void_ratio_old, void_ratio;  // (point, component): committed, and trial void ratio
+  PointView ratios_old, ratios;  // tensor of PermeabilityRatios: committed, trial; empty: all of ones
 
   /// from: row of the point's data; i: its row in the batch. False where the step inverts the point: the law sees no
   /// strain, and the step fails anyway. It is called, not inlined: one call serves all shapes of elements.
@@ -60,6 +61,7 @@ struct PointStaging {
     const int material = static_cast<int>(mixtures.which(from, 0));
     for (std::size_t t = 0; t < to.tensors.extent(1) && to.tensors(material, t) >= 0; ++t)
       motion.rotate(&law(from, to.tensors(material, t)), &to.state_old(i, to.tensors(material, t)));
+    if (ratios.extent(0) > 0) motion.rotate(&ratios_old(from, 0), &ratios(from, 0));
     to.void_ratio_old(i, 0) = void_ratio_old(from, 0);
     const double n = mixture.porosity(void_ratio_old(from, 0), at);
     void_ratio(from, 0) = n / (1 - n);
@@ -141,9 +143,14 @@ int StressUpdate::stage_motion(int first, int last) {
     using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
     const State &old = *view_.committed, &now = *view_.trial;
     using Staging = PointStaging<decltype(coordinates), Loop::S>;
-    const Staging staging{mixtures_of(soil_, block_, old), input_,
-                          old.arrays[block_.stress],       old.arrays[block_.law],
-                          old.arrays[block_.void_ratio],   now.arrays[block_.void_ratio]};
+    const Staging staging{mixtures_of(soil_, block_, old),
+                          input_,
+                          old.arrays[block_.stress],
+                          old.arrays[block_.law],
+                          old.arrays[block_.void_ratio],
+                          now.arrays[block_.void_ratio],
+                          block_.permeability >= 0 ? old.arrays[block_.permeability] : PointView(),
+                          block_.permeability >= 0 ? now.arrays[block_.permeability] : PointView()};
     int inverted = 0;
     Kokkos::parallel_reduce("kinematics", Kokkos::RangePolicy<>(first, last),
                             ElementStaging<Loop, Staging>{{block_, level_}, first, staging}, inverted);
