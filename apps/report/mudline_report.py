@@ -272,7 +272,7 @@ def field_drawings(result, steps, options):
 
 def uniform_text(result, step, field):
     factor, unit, _, _ = pictures.colour_range(field, None)
-    value = f"{field.values[0] * factor:.6g} {unit}".removesuffix(" -")
+    value = f"{field.values[0] * factor + 0.0:.6g} {unit}".removesuffix(" -")  # no "-0"
     return f"t = {pictures.nice_time(result.times[step])}, {result.stages[step]}: {value} everywhere."
 
 

@@ -36,7 +36,7 @@ def space(motion):
             "contacts": {"touch": {"type": "penalty", "body": "block", "surface": "top",
                                    "friction": {"type": "coulomb", "coefficient": 0.3, "on": "total"}}},
             "stages": {"move": {"type": "dynamic", "duration": 1.0, "time step": {"initial": 1e-2}}},
-            "plausibility": {"sudden weight": [0.0, 1.0], "yielding linear cells": [0.0, 1.0]}}  # the soil is here to be touched only
+            "plausibility": {"sudden weight": [0.0, 1.0]}}  # the soil is here to be touched only
 
 
 WATER = {"density": 1000.0, "drag coefficient": 0.5, "added mass coefficient": 0.5}

@@ -279,9 +279,9 @@ MISTAKES = [
     ("column", {"solver/residual tolerance": 0.05}, "residual tolerance"),
     ("column", {"solver/update tolerance": 0.2}, "update tolerance"),
     # meshes
-    ("column", {"mesh": {"cell": "quad4"}, LAW + "Poisson's ratio": 0.49}, "linear cells"),
+    ("column", {"mesh": {"cell": "quad4"}, LAW + "Poisson's ratio": 0.49, "physics/ground/volume strain": "at points"}, "linear cells"),
     ("column", {"mesh": {"cell": "tri3"}, LAW + "Poisson's ratio": 0.49}, "linear cells"),
-    ("block", {"mesh": {"cell": "quad4"}, LAW + "Poisson's ratio": 0.45}, "yielding linear cells"),
+    ("block", {"mesh": {"cell": "tri3"}, LAW + "Poisson's ratio": 0.45}, "yielding linear cells"),
     ("column", {"mesh": {"scale": 1000.0}}, "mesh size"),
     ("footing", {"mesh": {"geometry file": "coarse.geo"}}, "cells under a load"),
     ("footing", {"mesh": {"geometry file": "narrow.geo"}}, "domain width"),

@@ -107,9 +107,16 @@ class Line {
   }
   std::string place_of(const std::string& quantity) {
     std::string place;
+    std::vector<double> at;
+    double farthest = 0;
     for (const char* axis : {"x", "y", "z"})
-      if (const Result* const at = take(quantity + " at " + axis))
-        place += (place.empty() ? "" : ", ") + told(at->value, "%.4g");
+      if (const Result* const one = take(quantity + " at " + axis)) {
+        at.push_back(one->value);
+        farthest = std::max(farthest, std::abs(one->value));
+      }
+    constexpr double rounding = 1e-12;  // of the largest coordinate
+    for (const double x : at)
+      place += (place.empty() ? "" : ", ") + told(std::abs(x) > rounding * farthest ? x : 0.0, "%.4g");
     return place.empty() ? "" : " at (" + place + ")";
   }
 

@@ -24,15 +24,19 @@ std::optional<double> column(const std::vector<HistoryValue>& row, const std::st
   return found == nullptr ? std::nullopt : std::optional(found->value);
 }
 
-/// The error of the energy balance over the largest of its parts [-]; nothing where there is no such balance.
-std::optional<double> energy_error(const std::vector<HistoryValue>& row) {
+/// The error of the energy balance over the largest of its parts [-] or, where no part is larger than the error, in J;
+/// nothing where there is no such balance.
+std::optional<HistoryValue> energy_error(const std::vector<HistoryValue>& row) {
   const std::string energy = "balance/energy/", error = energy + "error";
   double largest = 0;
   for (const HistoryValue& value : row)
     if (value.name.compare(0, energy.size(), energy) == 0 && value.name != error)
       largest = std::max(largest, std::abs(value.value));
   const std::optional<double> amount = column(row, error);
-  return amount && largest > 0 ? std::optional(*amount / largest) : std::nullopt;
+  if (!amount || largest == 0) return std::nullopt;
+  constexpr double whole = 0.999;  // of the largest part: there is no work to compare with
+  const bool alone = std::abs(*amount) > whole * largest;
+  return HistoryValue{error, alone ? "J" : "-", alone ? *amount : *amount / largest};
 }
 
 }  // namespace
@@ -69,7 +73,7 @@ void Results::add_accuracy(const RunView& run) {
   const auto add = [&](const char* of, const char* quantity, std::optional<double> value) {
     if (value) table_.set("", of, quantity, "-", *value);
   };
-  add("balance", "error of energy", energy_error(row));
+  if (const auto energy = energy_error(row)) table_.set("", "balance", "error of energy", energy->unit, energy->value);
   add("balance", "error of water", column(row, "balance/water/error"));
   add("mesh motion", "change of solid", column(row, "mesh motion/change of solid"));
   add("mesh motion", "change of water", column(row, "mesh motion/change of water"));

@@ -1,12 +1,13 @@
 """Water supplied inside the soil: a well in a confined layer against Theis (1935), and an even supply against the steady flow
 that it makes."""
+import os
 import unittest
 
 import h5py
 import numpy as np
 from scipy.special import exp1
 
-from mudline_case import MudlineCase, deck_text, program
+from mudline_case import ROOT, MudlineCase, deck_text, program
 
 CONDUCTIVITY, WEIGHT, POROSITY, BULK = 1e-4, 9810.0, 0.4, 1e7  # [m/s, N/m3, -, Pa]
 STIFF = {"porosity": POROSITY, "skeleton": {"type": "linear elastic", "Young's modulus": 1e14, "Poisson's ratio": 0.2},
@@ -66,6 +67,15 @@ class Supply(MudlineCase):
                     found = np.interp(np.log(radius), np.log(x[line, 0] + 1e-9), pressure[line])
                     self.assertLess(abs(found / theis(radius, 100.0) - 1), 0.01, (radius, found, theis(radius, 100.0)))
                 self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-12)
+
+    def test_pumped_well(self):
+        """The shipped deck: the drawdown of Thiem (1906), a little deeper for the water that the clay gives; all water comes from the sides."""
+        history = self.run_deck(os.path.join(ROOT, "inputs", "consolidation", "pumped_well.xml"))
+        thiem = -2e-4 * 9810.0 / (2 * np.pi * 1e-5 * 8.0) * np.log(100.0 / 20.0)
+        self.assertGreater(history["probe/sand at 20 m/pore pressure"][-1] / thiem, 1.0)
+        self.assertLess(history["probe/sand at 20 m/pore pressure"][-1] / thiem, 1.03)
+        self.assertAlmostEqual((history["reaction/far sand"][-1] + history["reaction/surface"][-1]) / 2e-4, 1, delta=0.02)
+        self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-9)
 
     def test_well_is_the_supply_of_a_thin_core(self):
         """The same discharge as a supply of the soil within the first column of elements."""
