@@ -1,42 +1,48 @@
 #include "physics/soil_stress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "framework/linear_fit.hpp"
 #include "physics/soil_points.hpp"
-#include "tensor/mat.hpp"
-#include "tensor/small_lu.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// Weights of the values at points in the value of their linear least squares fit at a position.
+/// Weights of the values at points in the value of their linear least squares fit at a position; those of the mean
+/// where the points do not span the space.
 std::vector<double> fit_weights(const std::vector<Point>& points, int dimension, const Point& at) {
-  const double count = static_cast<double>(points.size());
-  std::vector<double> weights(points.size(), 1 / count);
+  using Fit = LinearFit<3>;
+  const double share = 1.0 / static_cast<double>(points.size());
+  std::vector<double> weights(points.size(), share);
+  Fit fit;
+  fit.count = Fit::most;
+  fit.size = 0;
   Point mean{};
-  for (const Point& x : points) mean += 1 / count * x;
-  Mat<double, 3> spread = {};
-  double size = 0;
-  for (const Point& x : points)
-    for (int i = 0; i < dimension; ++i)
-      for (int j = 0; j < dimension; ++j) spread[i][j] += (x[i] - mean[i]) * (x[j] - mean[j]);
-  for (int i = 0; i < dimension; ++i) size += spread[i][i] / dimension;
-  if (size == 0) return weights;
-  SmallLu<3> lu{};
-  double slope[3] = {};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) lu.a[i][j] = spread[i][j] / size;
-    if (i >= dimension) lu.a[i][i] = 1;
-    slope[i] = i < dimension ? (at[i] - mean[i]) / size : 0.0;
+  for (const Point& x : points) mean += share * x;
+  std::copy_n(mean.data(), 3, fit.origin);
+  for (const Point& x : points) fit.size = std::max(fit.size, length(x - mean));
+  if (fit.size == 0) return weights;
+  const auto terms = [&](const Point& x, double(&t)[Fit::most]) { fit.terms({x[0], x[1], x[2]}, t); };
+  double t[Fit::most];
+  for (const Point& x : points) {
+    terms(x, t);
+    fit.add(t, share);
   }
+  if (dimension == 2) fit.moments.a[3][3] = 1;
+  if (!fit.finish()) return weights;
   constexpr double flat = 1e-8;  // relative pivot below which points count as lying in a plane or on a line
-  if (!lu.factorise()) return weights;
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(lu.a[i][i]) < flat) return weights;
-  lu.solve(slope);
-  for (std::size_t q = 0; q < points.size(); ++q) weights[q] += dot({slope[0], slope[1], slope[2]}, points[q] - mean);
+  for (int k = 0; k < Fit::most; ++k)
+    if (std::abs(fit.moments.a[k][k]) < flat) return weights;
+  double here[Fit::most];
+  terms(at, here);
+  fit.solve(here);
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    terms(points[q], t);
+    weights[q] = share * Fit::value(here, t);
+  }
   return weights;
 }
 

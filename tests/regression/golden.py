@@ -164,6 +164,8 @@ def record(name, files, anew=False):
 
 def compare(name, files, tolerance, settings=(), ranks=1):
     """List of differences; empty where the histories agree."""
+    if not path_of(name).exists():
+        return ["no history is recorded"]
     lines = path_of(name).read_text().splitlines()
     header = lines[1].split(",")[1:]
     noise = [float(v) for v in lines[2].split(",")[1:]]
