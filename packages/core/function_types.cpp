@@ -1,5 +1,8 @@
 #include "core/function_types.hpp"
 
+#include "core/csv_columns.hpp"
+#include "core/text.hpp"
+
 namespace mudline {
 
 namespace {
@@ -25,6 +28,77 @@ class TableDefinition : public FunctionDefinition {
  private:
   std::vector<double> times_, values_;
   Interpolation kind_ = Interpolation::linear;
+};
+
+/// A table over the depth, which is counted down from a height along the last coordinate.
+class Profile : public FunctionBase {
+ public:
+  Profile(Function over_depth, double surface, int dimension)
+      : over_depth_(std::move(over_depth)), surface_(surface), axis_(dimension - 1) {}
+  double value(double, const Point& x) const override { return over_depth_(surface_ - x[axis_], x); }
+  bool steady() const override { return true; }
+
+ private:
+  Function over_depth_;  // its "time" is the depth [m]
+  double surface_;
+  int axis_;
+};
+
+class ProfileDefinition : public FunctionDefinition {
+ public:
+  void parameters(Parameters& p) {
+    dimension_ = p.dimension();
+    p.add("depths", depths_, "m", any(), "Depths below the surface, strictly increasing; or give a file");
+    p.add("values", values_, "of the use", any(),
+          "Values at these depths, straight lines between them; constant above the first and below the last");
+    p.file("file", file_, "CSV file whose first line names its columns, instead of depths and values");
+    p.add("depth column", depth_column_, "Name of the file's column of depths [m]");
+    p.add("value column", value_column_, "Name of the file's column of values");
+    p.add("factor", factor_, "-", any(), "Factor of all values, such as 1000 for a column in kPa");
+    p.add("surface", surface_, "m", any(),
+          "Height of the surface from which depths are counted, down the last coordinate");
+  }
+  void check(const Section& section) {
+    const bool lists = section.has_parameter("depths") || section.has_parameter("values");
+    if (lists == !file_.empty())
+      section.fail("give either 'depths' and 'values' or a 'file' with its two columns", lists ? "file" : "type");
+    for (const std::string column : {"depth column", "value column"}) {
+      const bool given = section.has_parameter(column);
+      if (given && file_.empty()) section.fail("without 'file' there are no columns", column);
+      if (!given && !file_.empty()) section.fail("a file needs a '" + column + "'", "file");
+    }
+    if (!file_.empty()) read_file(section);
+    if (depths_.size() != values_.size() || depths_.empty())
+      section.fail(std::to_string(depths_.size()) + " depths and " + std::to_string(values_.size()) +
+                       " values; as many of each are needed, at least one",
+                   "values");
+    for (std::size_t i = 1; i < depths_.size(); ++i)
+      if (!(depths_[i] > depths_[i - 1]))
+        section.fail(
+            "depths must increase strictly: " + number_text(depths_[i]) + " after " + number_text(depths_[i - 1]),
+            file_.empty() ? "depths" : "file");
+    for (double& value : values_) value *= factor_;
+  }
+  Function make() const override {
+    const Function table = make_table(depths_, values_, Interpolation::linear);
+    return Function(std::make_shared<Profile>(table, surface_, dimension_), "");
+  }
+
+ private:
+  void read_file(const Section& section) {
+    try {
+      std::vector<std::vector<double>> columns = csv_columns(file_, {depth_column_, value_column_});
+      depths_ = std::move(columns[0]);
+      values_ = std::move(columns[1]);
+    } catch (const InputError& error) {
+      section.fail(error.what(), "file");
+    }
+  }
+
+  std::vector<double> depths_, values_;
+  std::string file_, depth_column_, value_column_;
+  double factor_ = 1, surface_ = 0;
+  int dimension_ = 2;
 };
 
 class ExpressionDefinition : public FunctionDefinition {
@@ -71,6 +145,7 @@ bool reserved(const std::string& name) {
 
 void register_functions(Registry<FunctionDefinition>& functions) {
   functions.add<TableDefinition>("table", "Values at given times, interpolated linearly or smoothly.");
+  functions.add<ProfileDefinition>("profile", "Values over the depth, given here or in a CSV file.");
   functions.add<ExpressionDefinition>("expression", "A formula of time and position.");
   functions.add<ConstantDefinition>("constant", "A named number.");
 }

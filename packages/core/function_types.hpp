@@ -12,7 +12,7 @@ class FunctionDefinition {
   virtual Function make() const = 0;
 };
 
-/// Registers the types "table", "expression" and "constant".
+/// Registers the types "table", "profile", "expression" and "constant".
 void register_functions(Registry<FunctionDefinition>& functions);
 
 /// Reads every sublist of the deck's section "functions"; Throws InputError with path and line for errors in them.

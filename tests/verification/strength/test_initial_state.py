@@ -196,6 +196,55 @@ class TwoFluids(StrengthCase):
                      "here and 1200 in 'a'")
 
 
+class Profile(StrengthCase):
+    """K0 over the depth, 0.5 at the surface and 0.8 at 10 m: as an expression, as a profile in the deck and as one in a file."""
+    CSV = "# a sounding\nz [m]; K0 [%] ; remark\n 0; 50; fill\n2.5;57.5;\n\n10;80;\n"
+
+    def column(self, k0, profile=None):
+        deck = {
+            "mesh": {"type": "box", "cell": "quad9", "cells": [1, 10], "lower": [0.0, -8.0], "upper": [1.0, 2.0]},
+            "materials": {"clay": {"density": 1800.0, "skeleton": {"type": "linear elastic", "Young's modulus": 1e8, "Poisson's ratio": 0.3}}},
+            "physics": {"ground": {"type": "solid", "gravity": [0.0, -10.0], "initial state": {"type": "geostatic", "K0": k0}}},
+            "boundary conditions": {"base": {"type": "fixed", "set": "bottom"},
+                                    **{side: {"type": "fixed", "set": side, "components": "x"} for side in ("left", "right")}},
+            "stages": {"rest": {"type": "geostatic"}, "wait": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}}
+        return deck_text("column", {**({"functions": {"k0 profile": {"type": "profile", **profile}}} if profile else {}), **deck})
+
+    def test_three_ways(self):
+        self.write("sounding.csv", self.CSV)
+        found = []
+        for k0, profile in (("0.5 + 0.03*(2 - y)", None),
+                            ("k0 profile", {"depths": [0.0, 10.0], "values": [0.5, 0.8], "surface": 2.0}),
+                            ("k0 profile", {"file": "sounding.csv", "depth column": "z [m]", "value column": "K0 [%]", "factor": 0.01, "surface": 2.0})):
+            history = self.run_deck(self.write("column.xml", self.column(k0, profile)), extra=["--overwrite"])
+            found.append(history["reaction/left x"][-1])
+            exact = 1800 * 10 * (0.5 * 10 ** 2 / 2 + 0.03 * 10 ** 3 / 3)
+            self.assertAlmostEqual(found[-1] / exact, 1, delta=1e-9)
+        self.assertLess(np.ptp(found), 1e-9 * found[0])
+
+    def test_refusals(self):
+        columns = {"file": "sounding.csv", "depth column": "z [m]", "value column": "K0 [%]"}
+        lists = {"depths": [0.0, 10.0], "values": [0.5, 0.8]}
+        for profile, csv, words in (
+                (lists | columns, self.CSV, "functions/k0 profile/file: give either 'depths' and 'values' or a 'file' with its two columns"),
+                ({}, self.CSV, "give either 'depths' and 'values' or a 'file' with its two columns"),
+                ({**lists, "values": [0.5]}, self.CSV, "functions/k0 profile/values: 2 depths and 1 values; as many of each are needed, at least one"),
+                ({**lists, "depths": [0.0, 0.0]}, self.CSV, "functions/k0 profile/depths: depths must increase strictly: 0 after 0"),
+                ({"file": "sounding.csv", "depth column": "z [m]"}, self.CSV, "functions/k0 profile/file: a file needs a 'value column'"),
+                ({**lists, "depth column": "z"}, self.CSV, "functions/k0 profile/depth column: without 'file' there are no columns"),
+                ({**columns, "value column": "K0[%]"}, self.CSV, "sounding.csv:2: there is no column 'K0[%]' (did you mean 'K0 [%]'?)"),
+                (columns, self.CSV.replace("57.5", "57,5"), "sounding.csv:4: '57,5' in column 'K0 [%]' is not a number"),
+                (columns, self.CSV.replace("57.5;", "57.5"), "sounding.csv:4: 2 cells, the first line has 3"),
+                (columns, self.CSV.replace("10;80", "1;80"), "functions/k0 profile/file: depths must increase strictly: 1 after 2.5"),
+                (columns, "z [m]; K0 [%]\n", "has no rows of numbers")):
+            with self.subTest(words=words):
+                self.write("sounding.csv", csv)
+                done = program(["check", self.write("column.xml", self.column("k0 profile", profile or {"factor": 1.0}))], 1, self.folder)
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertIn(words, done.stderr)
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1)
+
+
 class Slope(StrengthCase):
     def test_gravity_stage_leaves_a_slope_in_balance(self):
         history = self.run_deck(self.deck("initial_state", "slope"))
