@@ -11,8 +11,7 @@ namespace mudline {
 void register_physics(Registry<Physics>& registry);
 /// Registers "heat".
 void register_properties(Registry<Properties>& registry);
-/// Registers displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux and
-/// absorbing.
+/// Registers the conditions that the program itself has, displacement to absorbing.
 void register_conditions(Registry<Condition>& registry);
 
 }  // namespace mudline

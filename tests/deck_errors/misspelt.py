@@ -13,7 +13,7 @@ DECKS = [
           "mesh/type: unknown mesh type 'bax' (did you mean 'box'?); known types: box, gmsh, extruded, revolved, penetration"),
     Wrong("cell shape", ('value="quad9"', 'value="quad8"'), "mesh/cell: 'quad8' is not a choice (did you mean 'quad9'?)"),
     Wrong("function type", ('value="table"', 'value="tabel"'),
-          "functions/load history/type: unknown function type 'tabel' (did you mean 'table'?); known types: table, expression, constant"),
+          "functions/load history/type: unknown function type 'tabel' (did you mean 'table'?); known types: table, profile, expression, constant"),
     Wrong("function name", ('value="load history"', 'value="load histroy"'),
           "boundary conditions/surcharge/value: there is no function 'load histroy' (did you mean 'load history'?)", ranks=BOTH),
     Wrong("material parameter", ('name="regions"', 'name="region"'), "materials/clay/region: unknown parameter (did you mean 'regions'?)"),
@@ -50,7 +50,7 @@ DECKS = [
           "bodies/ball/motion/ramptime: unknown parameter (did you mean 'ramp time'?)"),
     Wrong("condition type", ('value="fixed"', 'value="fix"'),
           "boundary conditions/base/type: unknown boundary condition type 'fix'; known types: displacement, velocity, fixed, "
-          "pore pressure, hydrostatic pressure, value, traction, pressure, flux, in-situ support, absorbing"),
+          "pore pressure, hydrostatic pressure, value, traction, pressure, flux, fluid supply, well, in-situ support, absorbing"),
     Wrong("condition parameter", ('name="components"', 'name="component"'),
           "boundary conditions/axis/component: unknown parameter (did you mean 'components'?)"),
     Wrong("mesh set", ('value="bottom"', 'value="botom"'),

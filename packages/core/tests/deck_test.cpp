@@ -384,13 +384,12 @@ TEST(DeckFunctions, ErrorsNamePathAndLine) {
   EXPECT_EQ(
       functions_error(function("ramp", "tabel", "")),
       "deck.xml:4: functions/ramp/type: unknown function type 'tabel' (did you mean 'table'?); known types: table, "
-      "expression, constant");
+      "profile, expression, constant");
   EXPECT_EQ(functions_error(function("t", "constant", "")),
             "deck.xml:3: functions/t: a function cannot be called 't', which is a number or an expression");
-  EXPECT_EQ(
-      functions_error("<ParameterList name=\"ramp\"/>\n"),
-      "deck.xml:3: functions/ramp: required parameter 'type' is missing; known function types: table, expression, "
-      "constant");
+  EXPECT_EQ(functions_error("<ParameterList name=\"ramp\"/>\n"),
+            "deck.xml:3: functions/ramp: required parameter 'type' is missing; known function types: table, profile, "
+            "expression, constant");
   EXPECT_EQ(functions_error("<Parameter name=\"ramp\" type=\"string\" value=\"t\"/>\n"),
             "deck.xml:3: functions/ramp: unknown parameter; none is allowed here");
   const std::string times = "<Parameter name=\"times\" type=\"Array(double)\" value=\"{0, 0}\"/>\n";
