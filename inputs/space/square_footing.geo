@@ -1,6 +1,6 @@
-// Quarter of a square footing on a block of soil, surface at z = 0, in tetrahedra or, with corners = 6 or 8, in wedges or
-// hexahedra. Cells shrink towards the edge of the footing, where the stress is singular, and towards the surface. `cells`
-// are those along the half width of the footing; the others follow.
+// Quarter of a square footing on a block of soil, surface at z = 0, in tetrahedra or, with corners = 6 or 8, in wedges
+// or hexahedra. Cells shrink towards the edge of the footing, where the stress is singular, and towards the surface.
+// `cells` are those along the half width of the footing; the others follow.
 SetFactory("Built-in");
 DefineConstant[ half_width = {1.0, Name "half_width"}, width = {2.6, Name "width"}, depth = {1.5, Name "depth"},
                 cells = {5, Name "cells"}, ratio = {12, Name "ratio"}, corners = {4, Name "corners"} ];

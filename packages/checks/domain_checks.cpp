@@ -146,6 +146,9 @@ void absorbing_distance(const Setup& setup, const Judge& judge) {
   }
 }
 
+/// Whether the cells of a block are linear ones that lock where the soil keeps its volume.
+bool locks(const SoilBlock& block) { return order(block.shape) == 1 && block.dilatation_terms == 0; }
+
 /// Linear cells lock where the soil keeps its volume: by its elasticity, or where it yields without change of volume.
 void linear_cells(const Setup& setup, const Judge& judge) {
   if (setup.porous()) return;  // its volume is kept by the pore pressure
@@ -153,7 +156,7 @@ void linear_cells(const Setup& setup, const Judge& judge) {
   const State& state = setup.model().store().committed();
   double stiffest = 0;
   for (const SoilBlock& b : soil.blocks) {
-    if (order(b.shape) > 1 || b.dilatation_terms > 0) continue;
+    if (!locks(b)) continue;
     const SoilPoints points(soil, b, state);
     for (int row = 0; row < b.elements * b.points; ++row) {
       const ElasticModuli m = points.moduli(row);
@@ -170,8 +173,7 @@ void linear_cells(const Setup& setup, const Judge& judge) {
 void linear_cells_that_yield(const Setup& setup, const Judge& judge) {
   if (setup.porous()) return;
   bool linear = false;
-  for (const SoilBlock& b : setup.model().soil()->blocks)
-    linear = linear || (order(b.shape) == 1 && b.dilatation_terms == 0);
+  for (const SoilBlock& b : setup.model().soil()->blocks) linear = linear || locks(b);
   if (!linear) return;
   for (const Section& entry : setup.materials()) {
     const std::string law = Setup::word(entry.section("skeleton"), "type");

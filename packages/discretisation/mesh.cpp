@@ -113,6 +113,16 @@ void require_side_set(const Mesh& mesh, const Section& section, const std::strin
                entry);
 }
 
+void require_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
+  if (!mesh.has_set(name)) section.fail("unknown mesh set '" + name + "'" + suggestion(name, mesh.set_names()), entry);
+}
+
+void require_region(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
+  const std::vector<std::string>& known = mesh.regions();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    section.fail("unknown mesh region '" + name + "'" + suggestion(name, known), entry);
+}
+
 namespace {
 
 /// The entries of the section "mesh" that make_mesh reads for every type of source.

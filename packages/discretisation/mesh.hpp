@@ -161,6 +161,9 @@ Geometry declare_geometry(Parameters& p);
 /// Throws InputError "unknown side set 'tpo' (did you mean 'top'?)" at `entry` of `section` unless the mesh has the
 /// set.
 void require_side_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
+/// The same for a set of sides or points, and for a region.
+void require_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
+void require_region(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
 
 /// Registers "box", "extruded", "revolved" and, when built with Gmsh, "gmsh".
 void register_mesh_sources(Registry<MeshSource>& registry);

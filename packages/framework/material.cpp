@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/text.hpp"
-
 namespace mudline {
 
 std::vector<std::string> Material::unused() const {
@@ -17,10 +15,7 @@ std::vector<std::shared_ptr<const Material>> materials_of(const std::string& reg
                                                           const Materials& all, const Section& materials) {
   std::vector<std::shared_ptr<const Material>> found;
   for (const auto& material : all) {
-    for (const auto& name : material->regions)
-      if (std::find(mesh.regions().begin(), mesh.regions().end(), name) == mesh.regions().end())
-        materials.fail("unknown mesh region '" + name + "'" + suggestion(name, mesh.regions()),
-                       material->name + "/regions");
+    for (const auto& name : material->regions) require_region(mesh, materials, material->name + "/regions", name);
     const bool here = material->regions.empty() ||
                       std::find(material->regions.begin(), material->regions.end(), region) != material->regions.end();
     if (here) found.push_back(material);

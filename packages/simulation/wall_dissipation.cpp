@@ -86,18 +86,18 @@ void WallDissipation::add_side(const Model& model, const Side& side, const Nodal
   const int row = side.element * own->points;
   const SoilPoints soil(*model.soil(), *own, state);
   const ElasticModuli moduli = soil.moduli(row);
-  double mobility = 0;  // mean of the directions
+  double ratio = 0;  // of the permeability, mean of the directions
   const int dimension = model.mesh().dimension();
   for (int i = 0; i < dimension; ++i) {
     Point along{};
     along[i] = 1;
-    mobility += soil.mobility(row) * soil.along_ratios(row, along.data(), along.data(), dimension) / dimension;
+    ratio += soil.along_ratios(row, along.data(), along.data(), dimension) / dimension;
   }
   // the height is the volume over the area for a box, of which a simplex or a wedge is a part
   const double share = per_box(block.shape) / per_box(side_shape(block.shape, side.side));
   to.pressure += area * pressure;
   to.thickness += share * volume;
-  to.diffusivity += area * mobility * (moduli.bulk + 4 * moduli.shear / 3);
+  to.diffusivity += area * ratio * soil.mobility(row) * (moduli.bulk + 4 * moduli.shear / 3);
   to.area += area;
 }
 

@@ -49,11 +49,12 @@ struct Darcy {
   template <int D, class T>
   KOKKOS_INLINE_FUNCTION void minus_discharge(int row, const T& mobility, const T (&drive)[D], T (&w)[D]) const {
     for (int i = 0; i < D; ++i) {
-      w[i] = mobility * drive[i];
-      if (ratios.extent(0) == 0) continue;
-      T sum = 0.0;
-      for (int j = 0; j < D; ++j) sum += ratios(row, six(i, j)) * drive[j];
-      w[i] = mobility * sum;
+      T along = drive[i];
+      if (ratios.extent(0) > 0) {
+        along = 0.0;
+        for (int j = 0; j < D; ++j) along += ratios(row, six(i, j)) * drive[j];
+      }
+      w[i] = mobility * along;
     }
   }
   /// Minus the discharge, kappa (grad p - rho_f g) [m/s]. It has no acceleration of the fluid.

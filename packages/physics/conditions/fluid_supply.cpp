@@ -1,8 +1,5 @@
 #include "physics/conditions/fluid_supply.hpp"
 
-#include <algorithm>
-
-#include "core/text.hpp"
 #include "framework/element_loop.hpp"
 
 namespace mudline {
@@ -43,9 +40,7 @@ void FluidSupply::parameters(Parameters& p) {
 
 void FluidSupply::bind(const ConditionContext& context, const Section& section) {
   soil_ = supplied_soil(context, section);
-  const std::vector<std::string>& regions = context.space.mesh().regions();
-  if (!region_.empty() && std::find(regions.begin(), regions.end(), region_) == regions.end())
-    section.fail("unknown mesh region '" + region_ + "'" + suggestion(region_, regions), "region");
+  if (!region_.empty()) require_region(context.space.mesh(), section, "region", region_);
   parts_.clear();
   for (const SoilBlock& block : soil_->blocks)
     if (region_.empty() || context.space.mesh().blocks()[block.block].region == region_)

@@ -58,7 +58,7 @@ void Prescribed::bind(const ConditionContext& context, const Section& section) {
   if (field_ < 0 || space_->field(field_).support == Support::apart)
     section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
   const Mesh& mesh = space_->mesh();
-  if (!mesh.has_set(set_)) section.fail("unknown mesh set '" + set_ + "'" + suggestion(set_, mesh.set_names()), "set");
+  require_set(mesh, section, "set", set_);
   nodes_ = mesh.nodes_of_set(set_);
   if (field_name() == "pore pressure" && mesh.has_side_set(set_)) exchange_ = std::make_unique<NodalExchange>(mesh);
 }

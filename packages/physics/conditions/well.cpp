@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "algebra/raw_communicator.hpp"
-#include "core/text.hpp"
 #include "physics/conditions/fluid_supply.hpp"
 #include "tensor/vec.hpp"
 
@@ -54,7 +53,7 @@ void Well::bind(const ConditionContext& context, const Section& section) {
   const std::shared_ptr<const Soil> soil = supplied_soil(context, section);
   const Space& space = context.space;
   const Mesh& mesh = space.mesh();
-  if (!mesh.has_set(set_)) section.fail("unknown mesh set '" + set_ + "'" + suggestion(set_, mesh.set_names()), "set");
+  require_set(mesh, section, "set", set_);
   shares_.clear();
   std::vector<double> own;
   for (const int node : mesh.nodes_of_set(set_)) {
