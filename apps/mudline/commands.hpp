@@ -38,7 +38,9 @@ struct SplitCommand {
 struct PointCommand {
   DeckOptions deck;
   bool conformance = false;  // check the laws instead of running the tests
-  std::string png;           // picture of all tests; "" for none
+  bool profile = false;      // the ground at the start of the run over the depth, instead of tests
+  std::vector<double> at;    // [m] a place on the profile's line; empty: the middle of the mesh
+  std::string png;           // picture of all tests, or of the profile; "" for none
 };
 
 /// Rank in MPI_COMM_WORLD; 0 where the command runs without MPI.
@@ -71,6 +73,12 @@ int run(const RunCommand& command);
 int check(const CheckCommand& command);
 int split(const SplitCommand& command);
 int point(const PointCommand& command);
+/// `mudline point --profile`.
+int profile(const PointCommand& command);
+/// Draws a picture with the report's script and waits for it. `kind`: its option, "--point" or "--ground". RunError.
+void draw(const std::string& kind, const std::string& png, const std::vector<std::string>& files);
+/// InputError unless there is one rank; `what` cannot be shared.
+void refuse_ranks(const std::string& what);
 int check_point(const Deck& deck, const std::string& name);
 int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);
 int explain(const std::string& name, const std::string& plugin);

@@ -137,8 +137,13 @@ Command point_command(CLI::App& app) {
   add_deck_options(*command, point->deck);
   command->add_flag("--conformance", point->conformance,
                     "instead check that the deck's skeleton laws keep to the rules for laws");
+  command->add_flag("--profile", point->profile,
+                    "instead print the ground of a run's deck at its start over the depth: stresses, K0, OCR, s_u, "
+                    "G/s_u, e, and all numbers of the laws into a CSV file");
+  command->add_option("--at", point->at, "a place on the profile's vertical line, such as --at 3 0")->expected(2, 3);
   command->add_option("--png", point->png,
-                      "draw all tests into this PNG file: q-p', q and u over axial strain, e over log p'");
+                      "draw into this PNG file: of all tests q-p', q and u over axial strain, e over log p'; or the "
+                      "profile");
   command->footer("example: mudline point inputs/point/mcc_triaxial.xml --png triaxial.png");
   return {command, [point] { return cli::point(*point); }};
 }

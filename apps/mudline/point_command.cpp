@@ -55,8 +55,8 @@ void read_soils(PointDeck& d) {
     const auto soil = SoilMaterial::read(
         materials.section(name),
         {d.registries.skeletons, d.registries.fluids, d.registries.permeabilities, d.registries.properties});
-    d.soils.push_back(
-        {name, soil->skeleton, soil->initial_void_ratio, soil->void_ratio_from_law, soil->biot_coefficient});
+    d.soils.push_back({name, soil->skeleton, [soil](const Point& place) { return soil->void_ratio_at(place); },
+                       soil->void_ratio_from_law, soil->biot_coefficient});
   }
   if (d.soils.empty()) d.root->fail("required section 'materials' is missing or empty");
 }
@@ -86,11 +86,6 @@ void read_tests(PointDeck& d) {
     test.test->begin(soil_of(d, *test.test, section), section);
     d.tests.push_back(std::move(test));
   }
-}
-
-void refuse_ranks() {
-  if (Tpetra::getDefaultComm()->getSize() > 1)
-    throw InputError("a material point cannot be shared: run `mudline point` on one rank");
 }
 
 std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name, bool want_tests) {
@@ -185,9 +180,15 @@ bool contacts_conform(const PointDeck& d) {
   return good;
 }
 
-/// Draws a picture with the report's script and waits for it, so that its output comes before the prompt.
-void draw(const std::string& png, const std::vector<std::string>& files) {
-  std::vector<std::string> arguments{"--point", png};
+}  // namespace
+
+void refuse_ranks(const std::string& what) {
+  if (Tpetra::getDefaultComm()->getSize() > 1)
+    throw InputError(what + " cannot be shared: run `mudline point` on one rank");
+}
+
+void draw(const std::string& kind, const std::string& png, const std::vector<std::string>& files) {
+  std::vector<std::string> arguments{kind, png};
   arguments.insert(arguments.end(), files.begin(), files.end());
   std::vector<std::string> command = script_command("report", arguments);
   const std::vector<char*> argv = argv_of(command);
@@ -198,10 +199,11 @@ void draw(const std::string& png, const std::vector<std::string>& files) {
     throw std::runtime_error("the picture could not be drawn; it needs python3 and python3-matplotlib");
 }
 
-}  // namespace
-
 int point(const PointCommand& command) {
-  refuse_ranks();
+  refuse_ranks("a material point");
+  if (command.profile && command.conformance) throw InputError("give --profile or --conformance, not both");
+  if (!command.profile && !command.at.empty()) throw InputError("--at is the place of a --profile; there is none");
+  if (command.profile) return profile(command);
   const auto d = load_point(read_deck(command.deck), result_name(command.deck), !command.conformance);
   check_foreign_code();
   if (command.conformance) {
@@ -232,12 +234,12 @@ int point(const PointCommand& command) {
       complete = false;
     }
   }
-  if (!command.png.empty()) draw(command.png, files);
+  if (!command.png.empty()) draw("--point", command.png, files);
   return complete ? 0 : 3;
 }
 
 int check_point(const Deck& deck, const std::string& name) {
-  refuse_ranks();
+  refuse_ranks("a material point");
   const auto d = load_point(deck, name, true);
   std::string tests;
   for (const NamedTest& test : d->tests) tests += (tests.empty() ? "" : ", ") + test.name;

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "checks/deck_checks.hpp"
+#include "checks/ground_profile.hpp"
 #include "checks/penetration_watch.hpp"
 #include "checks/plausibility.hpp"
 #include "commands.hpp"
@@ -14,6 +15,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "simulation/branch.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/run.hpp"
@@ -210,6 +212,29 @@ int check_each(const DeckOptions& options) {
 }
 
 }  // namespace
+
+int profile(const PointCommand& command) {
+  const auto family = checked(command.deck, "");
+  if (!family) throw InputError("a profile is that of a run's ground: the deck needs a mesh and stages, not tests");
+  Loaded& loaded = family->main();
+  const Model& model = *loaded.model;
+  Point at = GroundProfile::middle(model);
+  const std::size_t dimension = model.mesh().dimension();
+  if (!command.at.empty() && command.at.size() != dimension)
+    throw InputError("--at: expected " + std::to_string(dimension) + " numbers, given " +
+                     std::to_string(command.at.size()));
+  std::copy(command.at.begin(), command.at.end(), at.begin());
+  const GroundProfile ground(model, at);
+  loaded.output.make_folder(loaded.root->section("output"));
+  const std::string path = loaded.output.stem() + "_ground.csv";
+  ground.write(path);
+  std::cout << "the ground at the start, along the vertical line through " << place_text(at, model.mesh().dimension())
+            << "\n"
+            << ground.table(24) << std::flush;
+  log::info("all columns: " + path);
+  if (!command.png.empty()) draw("--ground", command.png, {path});
+  return 0;
+}
 
 int check(const CheckCommand& command) {
   return command.each ? check_each(command.deck) : check_one(command.deck, command.mesh_parts);

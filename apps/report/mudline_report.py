@@ -22,6 +22,7 @@ from PIL import Image
 import report_answer
 import report_compare
 import report_pictures as pictures
+import report_ground
 import report_point
 import report_space_pictures
 from report_result import FieldResult, MudlineError, Result, text
@@ -424,9 +425,10 @@ def build_patiently(options):
 
 def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else arguments
-    if arguments[:1] == ["--point"]:  # from `mudline point --png`
+    drawings = {"--point": report_point.draw, "--ground": report_ground.draw}  # from `mudline point --png`
+    if arguments[:1] and arguments[0] in drawings:
         try:
-            print(report_point.draw(arguments[1:]))
+            print(drawings[arguments[0]](arguments[1:]))
         except (MudlineError, OSError) as error:
             print(f"mudline report: {error}", file=sys.stderr)
             return 2

@@ -235,7 +235,8 @@ std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, in
   std::vector<double> state(std::max(1, soil.skeleton->state_size()), 0.0);
   const std::string reason = start_guarded(*soil.skeleton, point, state.data());
   std::copy_n(state.begin(), soil.skeleton->state_size(), now + table.law);
-  return reason;
+  if (table.conductivity < 0 || !reason.empty()) return reason;
+  return soil.permeability->numbers_at(point.position, now + table.conductivity);
 }
 
 LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t, const SoilTable& table,

@@ -12,6 +12,7 @@ namespace mudline {
 struct SoilTable {
   int columns;
   int stress, void_ratio, law, origin;   // first columns; origin: number of the material, then the place at the start
+  int conductivity;                      // first column; -1: there is none
   std::vector<StateVariable> variables;  // variables that the columns hold, for the widest law
 };
 

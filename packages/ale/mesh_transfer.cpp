@@ -103,13 +103,14 @@ void MeshTransfer::transfer_field(int field, const ConstNodalView& old, const No
 }
 
 SoilTable MeshTransfer::table_of(const StateStore& store, const SoilBlock& b) {
-  SoilTable table{0, -1, -1, -1, -1, {}};
+  SoilTable table{0, -1, -1, -1, -1, -1, {}};
   for (int handle = 0; handle < store.num_arrays(); ++handle) {
     if (store.info(handle).block != b.block) continue;
     if (handle == b.stress) table.stress = table.columns;
     if (handle == b.void_ratio) table.void_ratio = table.columns;
     if (handle == b.law) table.law = table.columns;
     if (handle == b.origin) table.origin = table.columns;
+    if (handle == b.conductivity) table.conductivity = table.columns;
     for (const StateVariable& variable : store.info(handle).variables) {
       table.columns += variable.components;
       table.variables.push_back(variable);

@@ -14,7 +14,8 @@ using Sections = std::vector<Parameters::SubsectionDoc>;
 std::string allowed_text(const ParameterDoc& doc) { return doc.choices.empty() ? doc.range : join(doc.choices, " | "); }
 
 Row row_of(const ParameterDoc& doc) {
-  return {doc.name, doc.type, doc.unit, allowed_text(doc), doc.required ? "required" : doc.default_text, doc.doc};
+  return {doc.name,          doc.type + (doc.may_vary ? " or function" : ""), doc.unit,
+          allowed_text(doc), doc.required ? "required" : doc.default_text,    doc.doc};
 }
 
 std::vector<Row> rows_of(const std::vector<ParameterDoc>& parameters) {

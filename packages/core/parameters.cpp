@@ -10,6 +10,7 @@
 #include "core/entry.hpp"
 #include "core/errors.hpp"
 #include "core/text.hpp"
+#include "core/unit.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -191,6 +192,28 @@ void Parameters::value(const std::string& name, T& member, const std::string& un
        [&](const Teuchos::ParameterEntry& entry) { convert(entry, range, member); });
 }
 
+void Parameters::number(const std::string& name, double& member, const std::string& unit, const Range& range,
+                        const std::string& doc, bool required) {
+  ParameterDoc full{name, type_of(member), unit, range.describe(), required ? "" : text_of(member), doc, required, {}};
+  full.may_vary = varying_ != nullptr;
+  read(full, [&](const Teuchos::ParameterEntry& entry) {
+    const bool may_be_function =
+        varying_ != nullptr && entry.isType<std::string>() && unknown_unit(entry_text(entry)).empty();
+    if (!may_be_function) return convert(entry, range, member);
+    const Function function = read_function(entry, section_->functions(), unit);
+    if (!function.steady())
+      throw Fault("'" + function.text() + "' depends on the time; this number may depend on the place only");
+    if (!function.is_constant()) return varying_->push_back({name, unit, range, function, &member});
+    check_range(function(0, {}), function.text(), range);
+    member = function(0, {});
+  });
+}
+
+bool Parameters::varies(const std::string& name) const {
+  return varying_ != nullptr && std::any_of(varying_->begin(), varying_->end(),
+                                            [&](const NumberOfPlace& number) { return number.name == name; });
+}
+
 void Parameters::function(const std::string& name, Function& member, const std::string& unit, const std::string& doc,
                           bool required) {
   read({name, "function", unit, "", required ? "" : member.text(), doc, required, {}},
@@ -240,7 +263,7 @@ std::size_t Parameters::choose(const std::string& name, std::size_t fallback, co
 
 void Parameters::add(const std::string& name, double& member, const std::string& unit, Range range,
                      const std::string& doc) {
-  value(name, member, unit, range, range.describe(), doc, false);
+  number(name, member, unit, range, doc, false);
 }
 void Parameters::add(const std::string& name, int& member, const std::string& unit, Range range,
                      const std::string& doc) {
@@ -271,7 +294,7 @@ void Parameters::add(const std::string& name, Function& member, const std::strin
 
 void Parameters::required(const std::string& name, double& member, const std::string& unit, Range range,
                           const std::string& doc) {
-  value(name, member, unit, range, range.describe(), doc, true);
+  number(name, member, unit, range, doc, true);
 }
 void Parameters::required(const std::string& name, int& member, const std::string& unit, Range range,
                           const std::string& doc) {

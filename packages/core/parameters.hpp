@@ -32,6 +32,15 @@ struct ParameterDoc {
   std::string unit, range, default_text, doc;
   bool required;
   std::vector<std::string> choices;  // allowed words of a choice
+  bool may_vary = false;             // a number that may be a function of the place instead
+};
+
+/// A number that the deck gives as a function of the place.
+struct NumberOfPlace {
+  std::string name, unit;
+  Range range;
+  Function function;
+  double* number;  // the member that was declared; it keeps its default
 };
 
 /// Parameters of one object, declared once: the same call documents, validates, reads into the member.
@@ -71,6 +80,11 @@ class Parameters {
   void required(const std::string& name, Vec<double, 2>& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
+
+  /// From here on a number (double) may also be a function of the place, which is added to `numbers`; null: no more.
+  void let_vary(std::vector<NumberOfPlace>* numbers) { varying_ = numbers; }
+  /// True when the deck gives this number as a function of the place.
+  bool varies(const std::string& name) const;
 
   /// One of a fixed set of words.
   template <class Enum>
@@ -120,6 +134,8 @@ class Parameters {
   /// what it throws.
   template <class Read>
   void read(const ParameterDoc& doc, Read convert_entry);
+  void number(const std::string& name, double& member, const std::string& unit, const Range& range,
+              const std::string& doc, bool required);
   void point(const std::string& name, Point& member, const std::string& unit, const std::string& doc, bool required);
   template <class T>
   void value(const std::string& name, T& member, const std::string& unit, const Range& range,
@@ -129,6 +145,7 @@ class Parameters {
   void path(const std::string& name, std::string& member, const std::string& doc, bool required);
 
   std::shared_ptr<Section> section_;
+  std::vector<NumberOfPlace>* varying_ = nullptr;
   std::vector<ParameterDoc> docs_;
   std::vector<SubsectionDoc> subsections_;
 };

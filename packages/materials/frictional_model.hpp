@@ -30,6 +30,8 @@ struct StrengthProfile {
     p.add(name + " gradient", gradient, "Pa/m", non_negative(),
           "Increase per metre of depth below the reference elevation");
     p.add("reference elevation", elevation, "m", any(), "Height from which the depth of the gradient counts");
+    if (p.varies(name) && gradient != 0.0)
+      p.deck().fail("has no meaning where the value itself is a function of the place", name + " gradient");
   }
   double at(double height) const { return value + gradient * ::fmax(0.0, elevation - height); }
 };

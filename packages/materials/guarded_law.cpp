@@ -48,9 +48,9 @@ std::string state_problem(const Skeleton& law) {
   return "";
 }
 
-std::string guarded_k0(const Skeleton& law, double overconsolidation_ratio, double& k0) {
+std::string guarded_k0(const Skeleton& law, const InitialPoint& point, double& k0) {
   try {
-    k0 = law.k0(overconsolidation_ratio);
+    k0 = law.k0(point);
   } catch (...) {
     return "the K0 of its law throws: " + fault_thrown();
   }

@@ -13,7 +13,7 @@ namespace mudline {
 std::string state_problem(const Skeleton& law);
 
 /// Calls Skeleton::k0. Returns "" or the problem: it throws or is not finite.
-std::string guarded_k0(const Skeleton& law, double overconsolidation_ratio, double& k0);
+std::string guarded_k0(const Skeleton& law, const InitialPoint& point, double& k0);
 
 /// Calls Skeleton::initialise. Returns "" or why the law cannot start: its own reason, an exception, a state that is
 /// not finite, or moduli that are not positive.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/parameters.hpp"
+#include "materials/numbers_of_place.hpp"
 
 namespace mudline {
 
@@ -28,6 +29,21 @@ struct Conductivity {
   double ck = 0.5;   // [-] change of void ratio for a tenfold conductivity
   const Permeability* asked = nullptr;
 
+  /// How many numbers the forms have: k0, e0, ck.
+  static constexpr int numbers = 3;
+  void write_numbers(double* values) const {
+    values[0] = k0;
+    values[1] = e0;
+    values[2] = ck;
+  }
+  /// The same form with other numbers.
+  KOKKOS_INLINE_FUNCTION Conductivity with_numbers(const double* values) const {
+    Conductivity result = *this;
+    result.k0 = values[0];
+    result.e0 = values[1];
+    result.ck = values[2];
+    return result;
+  }
   /// `initial_void_ratio`: that of the point at the start.
   KOKKOS_INLINE_FUNCTION Value operator()(double e, double initial_void_ratio) const;
 };
@@ -46,11 +62,34 @@ class Permeability {
     result.asked = this;
     return result;
   }
+  /// Whether numbers of the law are functions of the place.
+  virtual bool varies() const { return false; }
+  /// Writes the numbers of in_kernels() that hold for soil which starts at this place. Returns "" or what is wrong.
+  virtual std::string numbers_at(const Point&, double* numbers) const {
+    in_kernels().write_numbers(numbers);
+    return "";
+  }
 };
 
-/// A law that has a form of its own among those of Conductivity.
+/// A law that has a form of its own among those of Conductivity. Its numbers may be functions of the place.
 class PermeabilityOfForm : public Permeability {
  public:
+  void parameters(Parameters& p) {
+    p.let_vary(&varying_.collected());
+    own_parameters(p);
+    p.let_vary(nullptr);
+    std::vector<StateVariable> none;
+    varying_.settle(&law_, sizeof law_, none);
+  }
+  bool varies() const final { return !varying_.empty(); }
+  std::string numbers_at(const Point& place, double* numbers) const final {
+    std::vector<double> values(varying_.size());
+    const std::string problem = varying_.at(place, values.data());
+    Conductivity here = law_;
+    varying_.members().give(here, values.data());
+    here.write_numbers(numbers);
+    return problem;
+  }
   Value conductivity(double void_ratio, double initial_void_ratio) const final {
     return law_(void_ratio, initial_void_ratio);
   }
@@ -58,7 +97,11 @@ class PermeabilityOfForm : public Permeability {
 
  protected:
   explicit PermeabilityOfForm(Conductivity::Form form) { law_.form = form; }
+  virtual void own_parameters(Parameters& p) = 0;
   Conductivity law_;
+
+ private:
+  NumbersOfPlace varying_;
 };
 
 KOKKOS_INLINE_FUNCTION Conductivity::Value Conductivity::operator()(double e, double initial_void_ratio) const {

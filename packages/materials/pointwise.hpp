@@ -4,6 +4,8 @@
 #include <type_traits>
 
 #include "core/caught_in_kernel.hpp"
+#include "core/errors.hpp"
+#include "materials/numbers_of_place.hpp"
 #include "materials/skeleton.hpp"
 
 namespace mudline {
@@ -33,14 +35,16 @@ struct SkeletonResponse {
 ///     ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const;
 ///     void parameters(Parameters&);
 /// It may have these too:
-///     void check(const Section&);                          rules across parameters
+///     void check(const Section&);                          rules across parameters; changes no member
 ///     static constexpr bool volume_apart = true;           see Skeleton
-///     void prepare();                                      computes constants from the parameters, once
+///     void prepare();                                      computes constants from the parameters
 ///     double k0(double ocr) const;
 ///     double void_ratio(const InitialPoint&) const;
 ///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
 ///     EarthPressures earth_pressures(double vertical, double height) const;
 /// If the operator returns false, the point has failed; the step is then cut.
+/// Each number (double) among the parameters may be a function of the place in the deck. Then every member is called
+/// with the numbers of its point, after check() and prepare() with them; the law knows nothing of it.
 // clang-format on
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -48,18 +52,34 @@ class PointwiseSkeleton : public Skeleton {
 
  public:
   PointwiseSkeleton() : variables_(Law::state()) {}
-  explicit PointwiseSkeleton(const Law& law) : law_(law), variables_(Law::state()) { prepare(); }
-  void parameters(Parameters& p) { law_.parameters(p); }
+  explicit PointwiseSkeleton(const Law& law) : law_(law), variables_(Law::state()) { prepare(law_); }
+  void parameters(Parameters& p) {
+    p.let_vary(&numbers_.collected());
+    law_.parameters(p);
+    p.let_vary(nullptr);
+    numbers_.settle(&law_, sizeof law_, variables_);
+  }
   void check(const Section& section) {
-    if constexpr (detail_has_check<Law>::value) law_.check(section);
-    prepare();
+    if (!numbers_.empty()) return numbers_.keep(section);  // each point is checked at its start
+    check(law_, section);
+    prepare(law_);
   }
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
   std::string initialise(const InitialPoint& point, double* state) const override {
-    return law_.initialise(point, state);
+    if (numbers_.empty()) return law_.initialise(point, state);
+    double* values = state + numbers_.members().first;
+    if (const std::string reason = numbers_.at(point.position, values); !reason.empty()) return reason;
+    try {
+      Law own = law_;
+      numbers_.members().give(own, state);
+      check(own, numbers_.section());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return law_of(state).initialise(point, state);
   }
   ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const override {
-    return law_.moduli(stress, void_ratio, state);
+    return law_of(state).moduli(stress, void_ratio, state);
   }
   bool volume_apart() const override {
     if constexpr (detail_has_volume_apart<Law>::value)
@@ -67,32 +87,33 @@ class PointwiseSkeleton : public Skeleton {
     else
       return Skeleton::volume_apart();
   }
-  double k0(double ocr) const override {
+  double k0(const InitialPoint& point) const override {
     if constexpr (detail_has_k0<Law>::value)
-      return law_.k0(ocr);
+      return law_at(point).k0(point.overconsolidation_ratio);
     else
-      return Skeleton::k0(ocr);
+      return Skeleton::k0(point);
   }
   double void_ratio(const InitialPoint& point) const override {
     if constexpr (detail_has_void_ratio<Law>::value)
-      return law_.void_ratio(point);
+      return law_at(point).void_ratio(point);
     else
       return Skeleton::void_ratio(point);
   }
   SoilState soil_state(const double* stress, double void_ratio, const double* state) const override {
     if constexpr (detail_has_soil_state<Law>::value)
-      return law_.soil_state(stress, void_ratio, state);
+      return law_of(state).soil_state(stress, void_ratio, state);
     else
       return Skeleton::soil_state(stress, void_ratio, state);
   }
-  std::optional<EarthPressures> earth_pressures(double vertical, double height) const override {
+  std::optional<EarthPressures> earth_pressures(double vertical, const InitialPoint& point) const override {
     if constexpr (detail_has_earth_pressures<Law>::value)
-      return law_.earth_pressures(vertical, height);
+      return law_at(point).earth_pressures(vertical, point.height);
     else
-      return Skeleton::earth_pressures(vertical, height);
+      return Skeleton::earth_pressures(vertical, point);
   }
   int evaluate(const SkeletonWorkset& w) const override {
     const Law law = law_;
+    const NumbersOfPlace::Members numbers = numbers_.members();
     int failures = 0;
     CaughtInKernel thrown, *caught = &thrown;
     Kokkos::parallel_reduce(
@@ -109,7 +130,11 @@ class PointwiseSkeleton : public Skeleton {
           SkeletonResponse out;
           const double* state_old = w.state_old.data() + i * w.state_old.extent(1);
           double* state = w.state.data() + i * w.state.extent(1);
-          const bool ok = CaughtInKernel::run(caught, [&] { return law(in, state_old, state, out); });
+          numbers.keep(state_old, state);
+          const bool ok = CaughtInKernel::run(caught, [&] {
+            return numbers.none() ? law(in, state_old, state, out)
+                                  : with_numbers(law, numbers, state_old)(in, state_old, state, out);
+          });
           if (!ok) {  // a failed point gets its old state, so that nothing undefined spreads
             for (int c = 0; c < 6; ++c) out.stress[c] = in.stress[c];
             for (int c = 0; c < 36; ++c) out.tangent[c] = 0.0;
@@ -128,8 +153,33 @@ class PointwiseSkeleton : public Skeleton {
   const Law& law() const { return law_; }
 
  private:
-  void prepare() {
-    if constexpr (detail_has_prepare<Law>::value) law_.prepare();
+  static void check(Law& law, const Section& section) {
+    if constexpr (detail_has_check<Law>::value) law.check(section);
+  }
+  static void prepare(Law& law) {
+    if constexpr (detail_has_prepare<Law>::value) law.prepare();
+  }
+  /// The law with the numbers of a point, which stand in its state.
+  static KOKKOS_INLINE_FUNCTION Law with_numbers(const Law& law, const NumbersOfPlace::Members& numbers,
+                                                 const double* state) {
+    Law own = law;
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+    Kokkos::abort("numbers of a law that are functions of the place are for the host only");
+#else
+    numbers.give(own, state);
+    prepare(own);
+#endif
+    return own;
+  }
+  Law law_of(const double* state) const {
+    return numbers_.empty() ? law_ : with_numbers(law_, numbers_.members(), state);
+  }
+  /// The law of a point that has no state yet. A number out of range is reported when the point starts.
+  Law law_at(const InitialPoint& point) const {
+    if (numbers_.empty()) return law_;
+    std::vector<double> state(state_size());
+    numbers_.at(point.position, state.data() + numbers_.members().first);
+    return law_of(state.data());
   }
   template <class T, class = void>
   struct detail_has_prepare : std::false_type {};
@@ -167,6 +217,7 @@ class PointwiseSkeleton : public Skeleton {
 
   Law law_{};
   std::vector<StateVariable> variables_;
+  NumbersOfPlace numbers_;
 };
 
 }  // namespace mudline

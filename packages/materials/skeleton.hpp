@@ -120,12 +120,13 @@ class Skeleton {
   /// Updates all points; returns the number of failed ones (flags in workset.failed).
   virtual int evaluate(const SkeletonWorkset& workset) const = 0;
   virtual ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const = 0;
-  /// Earth pressure coefficient at rest that the law itself implies for this overconsolidation ratio; negative: none.
-  virtual double k0(double overconsolidation_ratio) const { return -1.0; }
+  /// Earth pressure coefficient at rest that the law itself implies for the point's overconsolidation ratio, without
+  /// reading its stress; negative: none.
+  virtual double k0(const InitialPoint&) const { return -1.0; }
   virtual SoilState soil_state(const double* stress, double void_ratio, const double* state) const { return {}; }
-  /// Earth pressures at a vertical effective stress [Pa] (compression positive), the same in all horizontal directions;
-  /// empty for a law without strength.
-  virtual std::optional<EarthPressures> earth_pressures(double vertical, double height) const { return {}; }
+  /// Earth pressures at a vertical effective stress [Pa] (compression positive), the same in all horizontal directions,
+  /// without reading the point's stress; empty for a law without strength.
+  virtual std::optional<EarthPressures> earth_pressures(double vertical, const InitialPoint& point) const { return {}; }
   /// Void ratio [-] that the law itself implies for a start with this stress and overconsolidation ratio (the point's
   /// void ratio is not read), or `no_void_ratio`.
   virtual double void_ratio(const InitialPoint&) const { return no_void_ratio; }

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-constexpr int parts = 400;  // integration steps in a layer whose density depends on the stress
+constexpr int parts = 400;  // integration steps in a layer whose density varies with the depth
 
 /// Height ranges of the materials of a region, from the top; empty if some top is not horizontal.
 std::vector<std::pair<const SoilMaterial*, std::array<double, 2>>> slices(const Soil& soil, const SoilBlock& b,
@@ -75,8 +75,8 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
   for (std::size_t i = 1; i < layers_.size(); ++i) {
     const Layer &above = layers_[i - 1], &here = layers_[i];
     if (here.top <= above.bottom + tolerance || here.material == above.material) continue;
-    const bool by_law = here.material->void_ratio_from_law || above.material->void_ratio_from_law;
-    if (!by_law && std::abs(here.constant_density() - above.constant_density()) < 1e-9 &&
+    const bool varying = here.material->void_ratio_varies() || above.material->void_ratio_varies();
+    if (!varying && std::abs(here.constant_density() - above.constant_density()) < 1e-9 &&
         here.fluid_density == above.fluid_density)
       continue;  // regions of the same weight side by side
     section.fail(
@@ -93,11 +93,11 @@ void GeostaticColumn::weigh(double surcharge, const Density& density) {
   for (const Layer& layer : layers_) {
     const double from = std::min(layer.top, y);
     if (from <= layer.bottom) continue;
-    const bool by_law = layer.material->void_ratio_from_law;
-    const int n = by_law ? parts : 1;
+    const bool varying = layer.material->void_ratio_varies();
+    const int n = varying ? parts : 1;
     const double h = (from - layer.bottom) / n;
     const auto slope = [&](double height, double total) {
-      return gravity_ * (by_law ? density(*layer.material, height, total) - layer.uplift : layer.constant_density());
+      return gravity_ * (varying ? density(*layer.material, height, total) - layer.uplift : layer.constant_density());
     };
     for (int i = 0; i < n; ++i) {  // Runge-Kutta of fourth order
       const double at = from - i * h;

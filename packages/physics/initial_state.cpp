@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/pi.hpp"
+#include "core/text.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/earth_pressure.hpp"
@@ -60,7 +61,7 @@ namespace {
 
 /// "" or the reason why the strength of the law does not allow this earth pressure at rest.
 std::string beyond_strength(const SoilMaterial& material, double k0, double vertical, const InitialPoint& point) {
-  const auto allowed = material.skeleton->earth_pressures(vertical, point.height);
+  const auto allowed = material.skeleton->earth_pressures(vertical, point);
   const double rounding = 1e-6;
   if (!allowed || vertical <= 0 ||
       (k0 >= allowed->active / vertical - rounding && k0 <= allowed->passive / vertical * (1 + rounding)))
@@ -92,7 +93,7 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Po
       return "the K0 friction angle must be in [0, 90) degrees; it is " + std::to_string(phi);
     k0 = earth_pressure_at_rest(std::sin(phi * pi / 180), point.overconsolidation_ratio);
   } else {
-    const std::string problem = guarded_k0(*material.skeleton, point.overconsolidation_ratio, k0);
+    const std::string problem = guarded_k0(*material.skeleton, point, k0);
     if (!problem.empty()) return problem;
     if (k0 < 0) return "the skeleton law has no K0 of its own; give 'K0'";
   }
@@ -104,14 +105,23 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Po
 GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& section) const {
   const Bounds& bounds = soil.space->mesh().bounds();
   GeostaticColumn column(soil, g, has_water_ ? std::optional<double>(water_level_) : std::nullopt, section);
-  // Density of a law that determines the void ratio, in the middle of the mesh's width: a layer has one weight at each
-  // depth.
+  // Density where the void ratio varies, in the middle of the mesh's width: a layer has one weight at each depth.
   const auto density = [&](const SoilMaterial& material, double y, double total) {
     InitialPoint point{};
+    const auto at_height = [&](Point place) {
+      const double rise = y - soil.height(place);
+      for (int i = 0; i < 3; ++i) place[i] += rise * soil.up[i];
+      return place;
+    };
     for (int i = 0; i < 3; ++i) point.position[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
-    const double rise = y - soil.height(point.position);
-    for (int i = 0; i < 3; ++i) point.position[i] += rise * soil.up[i];
+    point.position = at_height(point.position);
     point.height = y;
+    const double given = material.void_ratio_at(point.position);
+    for (const Point& end : {bounds.low, bounds.high})
+      if (std::abs(material.void_ratio_at(at_height(end)) - given) > 1e-9)
+        section.fail("the void ratio of material '" + material.name + "' varies sideways at the height " +
+                         number_text(y) + "; use a stage of type 'geostatic' from a uniform state",
+                     "type");
     point.overconsolidation_ratio = ocr_(0, point.position);
     std::string problem =
         at_rest(point, total - material.biot_coefficient * column.pore_pressure(y), soil.up, material);
@@ -168,6 +178,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
         if (b.permeability >= 0)
           for (int c = 0; c < 6; ++c) state.arrays[b.permeability](row, c) = material.permeability_ratios.tensor()[c];
+        if (b.conductivity >= 0 && rest.empty())
+          rest = material.permeability->numbers_at(point.position, &state.arrays[b.conductivity](row, 0));
         state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
         const std::string reason = rest.empty()
                                        ? start_guarded(*material.skeleton, point,

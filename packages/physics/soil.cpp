@@ -24,9 +24,11 @@ void SoilMaterial::parameters(Parameters& p) {
         "surface");
   has_top = p.given("top");
   p.add("grain density", grain_density, "kg/m3", positive(), "density of the solid grains");
+  p.let_vary(&pores_);
   p.add("void ratio", initial_void_ratio, "-", non_negative(), "initial void ratio e (give this or the porosity)");
   double porosity = initial_porosity();
   p.add("porosity", porosity, "-", half_open(0, 1), "initial porosity n = e/(1+e) (give this or the void ratio)");
+  p.let_vary(nullptr);
   p.add("void ratio from law", void_ratio_from_law,
         "the initial void ratio follows from stress and overconsolidation by the skeleton law, point by point (instead "
         "of 'void ratio')");
@@ -47,8 +49,10 @@ void SoilMaterial::parameters(Parameters& p) {
   if (void_ratio_from_law && !none)
     p.deck().fail("contradictory: with 'void ratio from law' there is no 'void ratio' or 'porosity'",
                   "void ratio from law");
-  if (void_ratio_from_law && p.given("density"))
-    p.deck().fail("with 'void ratio from law' the weight follows from 'grain density'; give that instead", "density");
+  if (void_ratio_varies() && p.given("density"))
+    p.deck().fail((void_ratio_from_law ? "with 'void ratio from law'" : "where the pores are a function of the place") +
+                      std::string(" the weight follows from 'grain density'; give that instead"),
+                  "density");
   if (p.given("porosity")) initial_void_ratio = porosity / (1 - porosity);
   if (p.given("density")) {
     if (p.deck().has_section("fluid"))
@@ -57,7 +61,7 @@ void SoilMaterial::parameters(Parameters& p) {
       p.deck().fail("contradictory: give 'density' or 'grain density', not both", "density");
     grain_density = density * (1 + initial_void_ratio);
   }
-  if (!none && initial_void_ratio == 0 && p.deck().has_section("fluid"))
+  if (!none && pores_.empty() && initial_void_ratio == 0 && p.deck().has_section("fluid"))
     p.deck().fail("a saturated soil has pores: must be greater than 0",
                   p.given("porosity") ? "porosity" : "void ratio");
 }
@@ -77,7 +81,7 @@ void check_fluid(const SoilMaterial& material, const Section& section) {
     check(fluid, "fluid's bulk modulus", bulk, bulk > 0);
     check(fluid, "fluid's unit weight", weight, weight > 0 && std::isfinite(weight));
   });
-  const double e = material.void_ratio_from_law ? 1.0 : material.initial_void_ratio;
+  const double e = material.void_ratio_varies() ? 1.0 : material.initial_void_ratio;
   guarded(permeability, "type", "the conductivity cannot be had", [&] {
     const double k = material.permeability->conductivity(e, e).k;
     check(permeability, "conductivity at the void ratio " + number_text(e), k, k >= 0 && std::isfinite(k));
@@ -122,18 +126,25 @@ std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const M
   return material;
 }
 
+double SoilMaterial::void_ratio_at(const Point& place) const {
+  if (pores_.empty()) return initial_void_ratio;
+  const double value = pores_.front().function(0, place);
+  return pores_.front().name == "porosity" ? value / (1 - value) : value;
+}
+
 std::string SoilMaterial::find_void_ratio(InitialPoint& point) const {
-  point.void_ratio = void_ratio_from_law ? skeleton->void_ratio(point) : initial_void_ratio;
-  if (!void_ratio_from_law) return "";
+  point.void_ratio = void_ratio_from_law ? skeleton->void_ratio(point) : void_ratio_at(point.position);
+  if (!void_ratio_varies()) return "";
   if (point.void_ratio == Skeleton::no_void_ratio)
     return "the skeleton law has no void ratio of its own here (Modified Cam Clay has one with a 'normal compression "
            "volume' or "
            "'critical state volume', and under a compressive stress); give 'void ratio' instead of 'void ratio from "
            "law'";
+  const std::string origin = void_ratio_from_law ? "of the skeleton law" : "that the deck gives here";
   if (!(point.void_ratio > 0))
-    return "the void ratio of the skeleton law, " + std::to_string(point.void_ratio) + ", is not positive";
+    return "the void ratio " + origin + ", " + std::to_string(point.void_ratio) + ", is not positive";
   if (porous() && point.void_ratio > biot_coefficient * (1 + point.void_ratio))
-    return "the porosity of the skeleton law, " + std::to_string(point.void_ratio / (1 + point.void_ratio)) +
+    return "the porosity " + origin + ", " + std::to_string(point.void_ratio / (1 + point.void_ratio)) +
            ", exceeds the Biot coefficient";
   return "";
 }
@@ -185,6 +196,11 @@ void Soil::declare_state(StateStore& store) {
     if (std::any_of(b.made_of.begin(), b.made_of.end(),
                     [&](int k) { return materials[k]->permeability_ratios.given(); }))
       b.permeability = store.declare(at_points("permeability ratios", {{"permeability ratios", 6, "-"}}));
+    if (std::any_of(b.made_of.begin(), b.made_of.end(), [&](int k) { return materials[k]->conductivity_varies(); }))
+      b.conductivity =
+          store.declare(at_points("conductivity", {{"hydraulic conductivity", 1, "m/s", Transfer::value, 0.0},
+                                                   {"reference void ratio", 1, "-", Transfer::value, 0.0},
+                                                   {"permeability index", 1, "-", Transfer::value, 0.0}}));
     if (!layered()) continue;
     std::vector<StateVariable> place{{"material", 1, "-"}};
     for (int i = 0; i < space->mesh().dimension(); ++i)

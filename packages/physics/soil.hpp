@@ -33,7 +33,7 @@ class SoilMaterial : public Material {
   void parameters(Parameters& p);
 
   double grain_density = 2650;    // [kg/m3]
-  double initial_void_ratio = 0;  // [-] 0 where it comes from the law
+  double initial_void_ratio = 0;  // [-] 0 where it comes from the law or is a function of the place
   bool void_ratio_from_law = false;
   double biot_coefficient = 1;    // alpha [-]
   double grain_bulk_modulus = 0;  // K_s [Pa]; 0: incompressible
@@ -43,16 +43,25 @@ class SoilMaterial : public Material {
   std::shared_ptr<Permeability> permeability;  // null: single phase
   PermeabilityRatios permeability_ratios;
   bool porous() const { return fluid != nullptr; }
+  bool conductivity_varies() const { return permeability && permeability->varies(); }
   bool has_top = false;  // the soil lies below the height `top` [m], a function of the position at the start
   Function top;
 
-  /// Sets the void ratio of `point` from its stress and overconsolidation ratio; returns "" or the problem.
+  /// Whether the initial void ratio is not the same at all points.
+  bool void_ratio_varies() const { return void_ratio_from_law || !pores_.empty(); }
+  /// The initial void ratio that the deck gives at a place; 0 where it gives none.
+  double void_ratio_at(const Point& place) const;
+  /// Sets the void ratio of `point` from its place, or from its stress and overconsolidation ratio; returns "" or the
+  /// problem.
   std::string find_void_ratio(InitialPoint& point) const;
   double initial_porosity() const { return initial_void_ratio / (1 + initial_void_ratio); }
   /// rho = n rho_f + (1-n) rho_s [kg/m3]; the void space is empty in a single-phase soil.
   double density(double porosity) const;
   /// 1/Q = n/K_f + (alpha - n)/K_s [1/Pa]
   double storage(double porosity) const;
+
+ private:
+  std::vector<NumberOfPlace> pores_;  // void ratio or porosity, where it is a function
 };
 
 /// The elements of one mesh block with their soil and its state; shared by the terms of a physics. Every point has its
@@ -64,6 +73,7 @@ struct SoilBlock : FieldBlock {
   int origin = -1;  // state handle: (material index, position of the soil at the start); -1: no region has layers
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
   int permeability = -1;  // state handle: tensor of PermeabilityRatios, turned with the soil; -1: all of ones
+  int conductivity = -1;  // state handle: Permeability::numbers_at; -1: no number of its materials varies
   bool porous() const { return scalars > 0; }
   FieldBlock mass;  // the same elements with enough points for a mass matrix of full rank
 };

@@ -26,7 +26,8 @@ class SoilPoints {
         stress_(state.arrays[block.stress]),
         void_ratio_(state.arrays[block.void_ratio]),
         law_(state.arrays[block.law]),
-        ratios_(block.permeability >= 0 ? state.arrays[block.permeability] : PointView()) {}
+        ratios_(block.permeability >= 0 ? state.arrays[block.permeability] : PointView()),
+        numbers_(block.conductivity >= 0 ? state.arrays[block.conductivity] : PointView()) {}
 
   const SoilMaterial& material(int row) const { return *(*materials_)[static_cast<int>(which_(row, 0))]; }
   const double* stress(int row) const { return &stress_(row, 0); }
@@ -55,7 +56,9 @@ class SoilPoints {
   double storage(int row) const { return material(row).storage(porosity(row)); }  // 1/Q [1/Pa]
   /// Hydraulic conductivity of saturated soil [m/s].
   double conductivity(int row) const {
-    return material(row).permeability->conductivity(void_ratio(row), void_ratio_(row, 1)).k;
+    const Conductivity law = material(row).permeability->in_kernels();
+    const bool own = numbers_.extent(0) > 0;
+    return (own ? law.with_numbers(&numbers_(row, 0)) : law)(void_ratio(row), void_ratio_(row, 1)).k;
   }
   /// Mobility k/gamma_w [m2/(Pa s)] of saturated soil, without the ratios of directions.
   double mobility(int row) const { return conductivity(row) / material(row).fluid->unit_weight(); }
@@ -75,7 +78,7 @@ class SoilPoints {
 
   const std::vector<std::shared_ptr<const SoilMaterial>>* materials_;
   bool porous_;
-  PointView which_, stress_, void_ratio_, law_, ratios_;
+  PointView which_, stress_, void_ratio_, law_, ratios_, numbers_;
 };
 
 }  // namespace mudline

@@ -8,7 +8,9 @@ namespace mudline {
 class ConstantPermeability : public PermeabilityOfForm {
  public:
   ConstantPermeability() : PermeabilityOfForm(Conductivity::Form::constant) {}
-  void parameters(Parameters& p) {
+
+ protected:
+  void own_parameters(Parameters& p) override {
     p.required("hydraulic conductivity", law_.k0, "m/s", non_negative(),
                "Conductivity to the pore fluid at every void ratio");
   }

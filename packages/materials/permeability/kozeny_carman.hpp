@@ -9,7 +9,9 @@ namespace mudline {
 class KozenyCarmanPermeability : public PermeabilityOfForm {
  public:
   KozenyCarmanPermeability() : PermeabilityOfForm(Conductivity::Form::kozeny_carman) {}
-  void parameters(Parameters& p) {
+
+ protected:
+  void own_parameters(Parameters& p) override {
     p.required("hydraulic conductivity", law_.k0, "m/s", non_negative(), "Conductivity at the reference void ratio");
     p.add("reference void ratio", law_.e0, "-", non_negative(),
           "Void ratio to which the conductivity refers; 0: that of each point at the start");

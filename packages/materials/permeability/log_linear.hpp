@@ -9,7 +9,9 @@ namespace mudline {
 class LogLinearPermeability : public PermeabilityOfForm {
  public:
   LogLinearPermeability() : PermeabilityOfForm(Conductivity::Form::log_linear) {}
-  void parameters(Parameters& p) {
+
+ protected:
+  void own_parameters(Parameters& p) override {
     p.required("hydraulic conductivity", law_.k0, "m/s", non_negative(), "Conductivity at the reference void ratio");
     p.required("permeability index", law_.ck, "-", positive(), "Ck, change of void ratio for a tenfold conductivity");
     p.add("reference void ratio", law_.e0, "-", non_negative(),

@@ -40,6 +40,8 @@ void PointStart::parameters(Parameters& p) {
     has_components = has_components || stress[c] != 0.0;
   }
   p.add("overconsolidation ratio", ocr, "-", positive(), "scales the yield surface through the initial stress");
+  p.add("place", place, "m",
+        "where the soil comes from, for numbers of the law that depend on it; the last coordinate is the height");
   p.add("void ratio", void_ratio, "-", non_negative(), "initial void ratio; 0: that of the material, or of its law");
   // All components zero mean a stress-free start, unless the start is given otherwise.
   has_components = has_components || (any_given && mean == 0.0 && vertical == 0.0);
@@ -61,9 +63,12 @@ void PointTest::begin(const PointSoil& soil, const Section& section) {
                "stress yy'");
   if (start_.k0 > 0.0 && start_.has_components)
     start.fail("contradictory: components of the stress leave no room for 'K0'", "K0");
+  initial_.position = start_.place;
+  initial_.height = start_.place[section.dimension() - 1];
+  initial_.overconsolidation_ratio = start_.ocr;
   double k0 = start_.k0 > 0.0 ? start_.k0 : 1.0;
   if (start_.vertical > 0.0 && start_.k0 == 0.0) {
-    const std::string problem = guarded_k0(*soil.skeleton, start_.ocr, k0);
+    const std::string problem = guarded_k0(*soil.skeleton, initial_, k0);
     if (!problem.empty()) start.fail("material '" + soil.name + "': " + problem);
     if (k0 < 0.0) start.fail("the skeleton law of material '" + soil.name + "' has no K0 of its own; give 'K0'");
   }
@@ -73,9 +78,7 @@ void PointTest::begin(const PointSoil& soil, const Section& section) {
     const double vertical = start_.vertical > 0.0 ? start_.vertical : 3.0 * start_.mean / (1.0 + 2.0 * k0);
     initial_.stress = {-k0 * vertical, -vertical, -k0 * vertical, 0.0, 0.0, 0.0};
   }
-  initial_.position = {0.0, 0.0, 0.0};
-  initial_.overconsolidation_ratio = start_.ocr;
-  initial_.void_ratio = start_.void_ratio > 0.0 ? start_.void_ratio : soil.void_ratio;
+  initial_.void_ratio = start_.void_ratio > 0.0 ? start_.void_ratio : soil.void_ratio(start_.place);
   if (start_.void_ratio == 0.0 && soil.void_ratio_from_law) {
     initial_.void_ratio = soil.skeleton->void_ratio(initial_);
     if (initial_.void_ratio == Skeleton::no_void_ratio)

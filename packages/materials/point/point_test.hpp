@@ -14,7 +14,7 @@ namespace mudline {
 struct PointSoil {
   std::string name;
   std::shared_ptr<const Skeleton> skeleton;
-  double void_ratio = 0.0;  // [-] 0: not given
+  std::function<double(const Point&)> void_ratio;  // [-] at a place; 0: not given
   bool void_ratio_from_law = false;
   double biot_coefficient = 1.0;  // [-]
 };
@@ -51,6 +51,7 @@ struct PointStart {
   Six stress{};                                 // [Pa]
   bool has_components = false;                  // the start is `stress`
   double ocr = 1.0, void_ratio = 0.0;           // [-]
+  Point place{};                                // [m]
 
   void parameters(Parameters& p);
 };

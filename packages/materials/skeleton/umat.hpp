@@ -46,7 +46,7 @@ class Umat : public Skeleton {
   bool wants_surroundings() const override { return true; }
   int evaluate(const SkeletonWorkset& workset) const override;
   ElasticModuli moduli(const double*, double, const double*) const override { return {bulk_, shear_}; }
-  double k0(double) const override { return k0_; }
+  double k0(const InitialPoint&) const override { return k0_; }
 
  private:
   class Arguments;

@@ -40,7 +40,7 @@ struct Law : Skeleton {
     return failing >= 0 ? 1 : 0;
   }
   ElasticModuli moduli(const double*, double, const double*) const override { return own; }
-  double k0(double) const override {
+  double k0(const InitialPoint&) const override {
     if (throws) throw 1;
     return rest;
   }
@@ -128,12 +128,12 @@ TEST(GuardedLaw, StartsOnlyWithAFiniteStateAndPositiveModuli) {
 TEST(GuardedLaw, K0IsFinite) {
   double k0 = 0;
   Law law;
-  EXPECT_EQ(guarded_k0(law, 1, k0), "");
+  EXPECT_EQ(guarded_k0(law, {}, k0), "");
   EXPECT_EQ(k0, 0.5);
   law.rest = nan;
-  EXPECT_NE(guarded_k0(law, 1, k0), "");
+  EXPECT_NE(guarded_k0(law, {}, k0), "");
   law.throws = true;
-  EXPECT_NE(guarded_k0(law, 1, k0), "");
+  EXPECT_NE(guarded_k0(law, {}, k0), "");
 }
 
 TEST(GuardedLaw, DescriptionsOfTheStateAreChecked) {

@@ -34,7 +34,7 @@ TEST(LinearElastic, StressAddsToTheInitialStress) {
   EXPECT_NEAR(point.strain()[0], 0.25e-3, 1e-12);
   point.step({0, 0, 0, 0, 0, 1e-3});
   EXPECT_NEAR(point.stress()[5], 2e3 + 4e3, 1e-6);
-  EXPECT_NEAR(law->k0(1.0), 1.0 / 3.0, 1e-15);
+  EXPECT_NEAR(law->k0({}), 1.0 / 3.0, 1e-15);
 }
 
 TEST(PlaneTangent, IsThatOfTheWholeLaw) {

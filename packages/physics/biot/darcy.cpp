@@ -25,7 +25,8 @@ Darcy::Darcy(const Soil& soil, const SoilBlock& block, const StepView& view, con
     : mixture(mixtures_of(soil, block, *view.committed, fields)),
       lift(soil.excess ? soil.any_of(block).fluid->density() : 0.0),
       void_ratio(view.committed->arrays[block.void_ratio]),
-      ratios(block.permeability >= 0 ? view.committed->arrays[block.permeability] : PointView()) {
+      ratios(block.permeability >= 0 ? view.committed->arrays[block.permeability] : PointView()),
+      numbers(block.conductivity >= 0 ? view.committed->arrays[block.conductivity] : PointView()) {
   if (place_of_scalar(fields, soil.pressure) < 0)
     throw std::logic_error("Darcy's law is asked for without a pore pressure among the fields");
   if (fields.points != block.points) throw std::logic_error("Darcy's law is asked for at other points than the soil's");

@@ -15,6 +15,7 @@ struct Darcy {
   double lift;           // fluid density whose weight excess pore pressures leave out [kg/m3]
   PointView void_ratio;  // (point; e and initial e) at the start of the step
   PointView ratios;      // (point; tensor of PermeabilityRatios) at the start of the step; empty: all of ones
+  PointView numbers;     // (point; numbers of the conductivity); empty: those of the material
   PointView elsewhere;   // (point; temperature, its change since the start of the step) if it is not among the fields
 
   /// For laws with the soil's own fields.
@@ -42,7 +43,9 @@ struct Darcy {
   KOKKOS_INLINE_FUNCTION T mobility(int row, const T& n) const {
     const T e = n / (1.0 - n);
     const Mixture& here = mixture(row);
-    const Conductivity::Value k = here.conductivity(value(e), void_ratio(row, 1));
+    const Conductivity law =
+        numbers.extent(0) > 0 ? here.conductivity.with_numbers(&numbers(row, 0)) : here.conductivity;
+    const Conductivity::Value k = law(value(e), void_ratio(row, 1));
     return chain(e, k.k, k.dk_de) * (1 / here.unit_weight);
   }
   /// Minus the discharge [m/s] by a mobility [m2/(Pa s)] and what drives the flow, grad p - rho_f g [N/m3].

@@ -1,0 +1,195 @@
+#include "checks/ground_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <numeric>
+
+#include "core/errors.hpp"
+#include "core/run_error.hpp"
+#include "core/text.hpp"
+#include "physics/mixture.hpp"
+#include "physics/soil_points.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// The part of a position that is not height.
+Point sideways(const Soil& soil, Point x) {
+  const double height = soil.height(x);
+  for (int i = 0; i < 3; ++i) x[i] -= height * soil.up[i];
+  return x;
+}
+
+/// Whether a vertical line through `foot`, which has no height, crosses an element.
+bool crosses(const Soil& soil, const SoilBlock& b, const Mesh& mesh, int element, const Point& foot) {
+  Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  for (int a = 0; a < b.u.nodes; ++a) {
+    const Point x = sideways(soil, mesh.place(b.nodes(element, a)));
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], x[i]);
+      high[i] = std::max(high[i], x[i]);
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double slack = 1e-9 * (1 + high[i] - low[i]);
+    if (foot[i] < low[i] - slack || foot[i] > high[i] + slack) return false;
+  }
+  return true;
+}
+
+double separation(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+int nearest_point(const Soil& soil, const SoilBlock& b, const State& state, int element, const Point& foot) {
+  int best = 0;
+  double least = 1e300;
+  for (int q = 0; q < b.points; ++q) {
+    const double d = separation(sideways(soil, b.place(element, q, state.coordinates)), foot);
+    if (d < least * (1 - 1e-9)) best = q;
+    least = std::min(least, d);
+  }
+  return best;
+}
+
+}  // namespace
+
+Point GroundProfile::middle(const Model& model) {
+  const Bounds& bounds = model.mesh().bounds();
+  Point result{};
+  for (int i = 0; i < 3; ++i) result[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
+  return result;
+}
+
+GroundProfile::GroundProfile(const Model& model, const Point& at) {
+  if (!model.soil()) throw InputError("the deck has no soil of which a profile could be made");
+  const Soil& soil = *model.soil();
+  const State& state = model.store().committed();
+  const Point foot = sideways(soil, at);
+  for (int node = 0; node < model.mesh().num_nodes(); ++node)
+    surface_ = std::max(surface_, soil.height(model.mesh().place(node)));
+  for (const SoilBlock& b : soil.blocks)
+    for (int e = 0; e < b.elements; ++e)
+      if (crosses(soil, b, model.mesh(), e, foot)) add_row(soil, b, state, e, nearest_point(soil, b, state, e, foot));
+  if (materials_.empty())
+    throw InputError("the vertical line through " + place_text(at, model.mesh().dimension()) + " misses the soil");
+  sort();
+}
+
+GroundProfile::Column& GroundProfile::column(const std::string& name, const std::string& unit) {
+  for (Column& column : columns_)
+    if (column.name == name) return column;
+  return columns_.emplace_back(Column{name, unit, std::vector<double>(materials_.size(), none)});
+}
+
+void GroundProfile::add_row(const Soil& soil, const SoilBlock& b, const State& state, int element, int point) {
+  const int row = element * b.points + point;
+  const SoilPoints points(soil, b, state);
+  const SoilMaterial& material = points.material(row);
+  materials_.push_back(material.name);
+  for (Column& column : columns_) column.values.push_back(none);
+  const double* stress = points.stress(row);
+  double vertical = 0, trace = 0;
+  for (int i = 0; i < 3; ++i) {
+    trace -= stress[i];
+    for (int j = 0; j < 3; ++j) vertical -= soil.up[i] * stress[six(i, j)] * soil.up[j];
+  }
+  const double height = soil.height(b.place(element, point, state.coordinates));
+  add("depth", "m", surface_ - height);
+  add("height", "m", height);
+  add("vertical effective stress", "Pa", 0.0 + vertical);
+  add("horizontal effective stress", "Pa", 0.5 * (trace - vertical));
+  add("K0", "-", vertical > 0 ? 0.5 * (trace - vertical) / vertical : none);
+  if (const int place = place_of_scalar(b, soil.pressure); place >= 0)
+    add("pore pressure", "Pa", b.scalar_at(element, point, place, state.value));
+  const SoilState found = points.soil_state(row);
+  const double shear = points.moduli(row).shear;
+  if (found.overconsolidation_ratio) add("overconsolidation ratio", "-", *found.overconsolidation_ratio);
+  if (const auto s = found.undrained_strength) {
+    add("undrained strength", "Pa", *s);
+    add("strength ratio", "-", vertical > 0 ? *s / vertical : none);
+    add("rigidity index", "-", *s > 0 ? shear / *s : none);
+  }
+  add("shear modulus", "Pa", shear);
+  if (points.void_ratio(row) > 0) add("void ratio", "-", points.void_ratio(row));
+  if (b.porous()) add("hydraulic conductivity", "m/s", points.conductivity(row));
+  int component = 0;
+  for (const StateVariable& variable : material.skeleton->state_variables()) {
+    const bool known = variable.name == "undrained strength" || variable.name == "void ratio";
+    if (variable.components == 1 && !known) add(variable.name, variable.unit, points.law(row)[component]);
+    component += variable.components;
+  }
+}
+
+void GroundProfile::sort() {
+  std::vector<std::size_t> order(materials_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::vector<double> height = column("height", "m").values;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return height[a] > height[b]; });
+  const auto sorted = [&](auto values) {
+    const auto old = values;
+    for (std::size_t i = 0; i < order.size(); ++i) values[i] = old[order[i]];
+    return values;
+  };
+  materials_ = sorted(materials_);
+  for (Column& column : columns_) column.values = sorted(column.values);
+}
+
+void GroundProfile::write(const std::string& path) const {
+  std::ofstream file(path);
+  for (const Column& column : columns_) file << csv_cell(column.name + " [" + column.unit + "]") << ",";
+  file << "material\n";
+  for (std::size_t row = 0; row < materials_.size(); ++row) {
+    for (const Column& column : columns_)
+      file << (std::isfinite(column.values[row]) ? number_text(column.values[row]) : "") << ",";
+    file << csv_cell(materials_[row]) << "\n";
+  }
+  file.close();
+  if (!file) throw RunError("the file " + path + " cannot be written");
+}
+
+std::string GroundProfile::table(int rows) const {
+  struct Shown {
+    const char *column, *head;
+    double scale;
+  };
+  const Shown shown[] = {{"depth", "depth m", 1},
+                         {"vertical effective stress", "s'_v kPa", 1e-3},
+                         {"pore pressure", "u kPa", 1e-3},
+                         {"K0", "K0", 1},
+                         {"overconsolidation ratio", "OCR", 1},
+                         {"undrained strength", "s_u kPa", 1e-3},
+                         {"strength ratio", "s_u/s'_v", 1},
+                         {"rigidity index", "G/s_u", 1},
+                         {"void ratio", "e", 1},
+                         {"hydraulic conductivity", "k m/s", 1}};
+  const auto cell = [](const std::string& text) {
+    return std::string(text.size() < 10 ? 10 - text.size() : 1, ' ') + text;
+  };
+  const auto of_column = [&](const char* name) {
+    return std::find_if(columns_.begin(), columns_.end(), [&](const Column& column) { return column.name == name; });
+  };
+  std::string text;
+  for (const Shown& one : shown)
+    if (of_column(one.column) != columns_.end()) text += cell(one.head);
+  text += "  material\n";
+  const std::size_t count = materials_.size(), last = std::min<std::size_t>(count, std::max(rows, 2)) - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const std::size_t row = last > 0 ? i * (count - 1) / last : 0;
+    for (const Shown& one : shown) {
+      const auto column = of_column(one.column);
+      if (column == columns_.end()) continue;
+      char number[32];
+      std::snprintf(number, sizeof number, "%.4g", one.scale * column->values[row]);
+      text += cell(std::isfinite(column->values[row]) ? number : "-");
+    }
+    text += "  " + printable(materials_[row]) + "\n";
+  }
+  return text;
+}
+
+}  // namespace mudline
