@@ -78,12 +78,12 @@ class EmbeddedSteps {
     return value(error_squared) < 1e60;  // false for what is not a number
   }
 
-  /// The next step over this one: 0.6 error^(-1/3) between 0.2 and `growth`.
+  /// The next step over this one: 0.5 error^(-1/3) between 0.2 and `growth`.
   KOKKOS_INLINE_FUNCTION static T next_factor(const T& error_squared, double growth) {
-    const double limit = 0.6 / growth, e = value(error_squared);
+    const double limit = 0.5 / growth, e = value(error_squared);
     if (e <= ::pow(limit, 6)) return T(growth);
-    if (e >= ::pow(0.6 / 0.2, 6)) return T(0.2);
-    return 0.6 * power(error_squared, -1.0 / 6.0);
+    if (e >= ::pow(0.5 / 0.2, 6)) return T(0.2);
+    return 0.5 * power(error_squared, -1.0 / 6.0);
   }
 
   const System& system_;

@@ -126,7 +126,7 @@ class HypoplasticPath {
   /// The intergranular strain tends to R D/|D| at rates up to |D|/R; the pair of methods is stable to 2.5 over that.
   KOKKOS_INLINE_FUNCTION T largest_step(const T* y) const {
     if (!(law_.range > 0.0) || settled(y + 6)) return T(1.0);
-    const double reach = 2.0 * law_.range / ::fmax(1.0, law_.evolution_exponent);
+    const double reach = law_.range / ::fmax(1.0, law_.evolution_exponent);
     return value(size_) > reach ? reach / size_ : T(1.0);
   }
   KOKKOS_INLINE_FUNCTION bool rates(const T& s, const T* y, T* dy) const {

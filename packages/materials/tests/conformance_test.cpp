@@ -85,6 +85,21 @@ std::vector<Teuchos::ParameterList> von_mises_variants(Teuchos::ParameterList ba
   return {base, hardening, euler};
 }
 
+/// A sand without and with intergranular strain. The tolerance is tight because the number of substeps changes the
+/// stress by about the tolerance, which differences of neighbouring strains take for a slope.
+std::vector<Teuchos::ParameterList> hypoplastic_variants() {
+  Teuchos::ParameterList plain;
+  plain.set("critical friction angle [deg]", 33.0).set("granular hardness", 1e9).set("compression exponent", 0.25);
+  plain.set("densest void ratio", 0.55).set("critical void ratio", 0.95).set("loosest void ratio", 1.05);
+  plain.set("peak exponent", 0.25).set("stiffness exponent", 1.5).set("stress tolerance", 1e-7);
+  Teuchos::ParameterList intergranular(plain), shifted(plain);
+  intergranular.set("intergranular strain range", 1e-4).set("reversal stiffness ratio", 5.0);
+  intergranular.set("turn stiffness ratio", 2.0).set("intergranular strain exponent", 0.5);
+  intergranular.set("stiffness decay exponent", 6.0);
+  shifted.set("pressure shift", 2e3);
+  return {plain, intergranular, shifted};
+}
+
 /// Deck entries of the variants under which a type is tested.
 std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   Teuchos::ParameterList elastic, clay;
@@ -108,7 +123,8 @@ std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
           {"mohr-coulomb", mohr_coulomb_variants(elastic)},
           {"drucker-prager", cone_variants(elastic)},
           {"tresca", tresca_variants()},
-          {"von mises", von_mises_variants(elastic)}};
+          {"von mises", von_mises_variants(elastic)},
+          {"hypoplasticity", hypoplastic_variants()}};
 }
 
 EntryDoc documentation_of(const Registry<Skeleton>& skeletons, const std::string& type) {
