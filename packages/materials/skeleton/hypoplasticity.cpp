@@ -29,8 +29,8 @@ void Hypoplasticity::parameters(Parameters& p) {
   p.required("peak exponent", peak_exponent, "-", positive(), "alpha, how far density raises the peak strength");
   p.required("stiffness exponent", stiffness_exponent, "-", non_negative(),
              "beta, how far density raises the stiffness");
-  p.add("intergranular strain range", range, "-", positive(),
-        "R, strain over which the soil is stiff after a reversal; without it there is no intergranular strain");
+  p.add("intergranular strain range", range, "-", non_negative(),
+        "R, strain over which the soil is stiff after a reversal; 0: no intergranular strain");
   p.add("reversal stiffness ratio", reversal, "-", positive(),
         "m_R, growth of the stiffness where the strain path turns back");
   p.add("turn stiffness ratio", turn, "-", positive(),
@@ -58,7 +58,7 @@ void Hypoplasticity::check(const Section& section) const {
         "is so large that isotropic compression would have no stiffness, for 3 + a^2 - a sqrt(3) ((e_i0 - "
         "e_d0)/(e_c0 - e_d0))^alpha must be positive",
         "peak exponent");
-  const bool with = section.has_parameter("intergranular strain range");
+  const bool with = range > 0.0;
   for (const char* name : intergranular_names)
     if (section.has_parameter(name) != with)
       section.fail(with ? "must be given with an intergranular strain range"
