@@ -41,7 +41,7 @@ struct Hypoplasticity {
   double range = 0.0;                                     // [-] R; 0: no intergranular strain
   double evolution_exponent = 1.0, decay_exponent = 1.0;  // [-] betar, chi
   double shift = 0.0;                                     // [Pa] that makes T of the effective stress
-  double minimum_mean_stress = 100.0;                     // [Pa] of T
+  double minimum_mean_stress = 10.0;                      // [Pa] of T
   double tolerance = 1e-4;                                // [-] relative error of one step
   int maximum_substeps = 10000;                           // attempts per increment
 
@@ -148,7 +148,8 @@ class HypoplasticPath {
     const double tolerance = 1.0 / (law_.tolerance * law_.tolerance);
     const T of_stress = sym6::norm_squared(error) / stress * tolerance;
     if (!(law_.range > 0.0)) return of_stress;
-    const T of_strain = sym6::norm_squared(error + 6) * (tolerance / (law_.range * law_.range));
+    const double measure = 10.0 * law_.range;  // an error of the stress of about that part comes of it
+    const T of_strain = sym6::norm_squared(error + 6) * (tolerance / (measure * measure));
     return value(of_strain) > value(of_stress) ? of_strain : of_stress;
   }
 

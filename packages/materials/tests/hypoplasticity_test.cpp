@@ -219,13 +219,13 @@ TEST(Hypoplasticity, LoosenedSoilKeepsTheMinimumStressAndRecovers) {
       PointDriver point(law, {-900.0, -1500.0, -800.0, 0, 0, 200.0}, 0.8);
       for (int n = 0; n * size < 0.2 && n < 400; ++n) {
         point.step({size, size, 0.5 * size, 0, 0, 0.3 * size});
-        ASSERT_GT(point.p(), 99.0);
+        ASSERT_GT(point.p(), 9.9);
         ASSERT_LT(point.q(), 2.0 * point.p());
         const Answer r = answer(point, {size, -size, 0, 0, 0, 0});
         for (const double x : r.tangent) ASSERT_TRUE(std::isfinite(x));
       }
       if (size > 1e-4) {
-        EXPECT_LT(point.p(), 110.0);
+        EXPECT_LT(point.p(), 11.0);
       }
       point.step({-2e-2, -2e-2, -2e-2, 0, 0, 0});
       EXPECT_GT(point.p(), 300.0);
@@ -238,7 +238,7 @@ TEST(Hypoplasticity, CyclesAtConstantVolumeLiquefy) {
   for (int n = 0; n < 50; ++n) {
     if (testing::Test::HasFatalFailure()) break;
     compress(point, Path::undrained, n % 2 == 0 ? 2e-3 : -2e-3, 10);
-    ASSERT_GT(point.p(), 99.0);
+    ASSERT_GT(point.p(), 9.9);
   }
   EXPECT_LT(point.p(), 0.1 * 5e4);
 }
@@ -272,7 +272,7 @@ TEST(Hypoplasticity, RefusesStartsItCannotMake) {
   EXPECT_EQ(refusal(sand(), isotropic_stress(1e5), 0.7), "");
   EXPECT_NE(refusal(sand(), isotropic_stress(1e5), 0.4).find("the void ratio 0.4 is outside"), std::string::npos);
   EXPECT_NE(refusal(sand(), isotropic_stress(1e5), 1.0).find("the void ratio 1 is outside"), std::string::npos);
-  EXPECT_NE(refusal(sand(), isotropic_stress(50.0), 0.7).find("below the minimum mean stress"), std::string::npos);
+  EXPECT_NE(refusal(sand(), isotropic_stress(5.0), 0.7).find("below the minimum mean stress"), std::string::npos);
   EXPECT_NE(refusal(sand(), {1e3, -1e5, -1e5, 0, 0, 0}, 0.7).find("compression in all directions"), std::string::npos);
   Hypoplasticity shifted = sand();
   shifted.shift = 2e3;
