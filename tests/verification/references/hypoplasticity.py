@@ -1,6 +1,7 @@
-"""Hypoplastic sand of von Wolffersdorff (1996) with the intergranular strain of Niemunis and Herle (1997), in principal axes that do not
-turn. All tensors are diagonal: three numbers (radial, axial, radial), tension positive; L is a 3 x 3 matrix. The rate equations are solved
-by an integrator with order and step control of its own, so nothing is shared with the program but the equations.
+"""Hypoplastic sand of von Wolffersdorff (1996) with the intergranular strain of Niemunis and Herle (1997), in principal
+axes that do not turn. All tensors are diagonal: three numbers (radial, axial, radial), tension positive; L is a 3 x 3
+matrix. The rate equations are solved by an integrator with order and step control of its own, so nothing is shared with
+the program but the equations.
 
 Stresses in Pa. The void ratio follows de = (1 + e) tr D dt. There is no lower bound of the stress here."""
 import numpy as np
@@ -29,7 +30,8 @@ class Sand:
         if tan_psi > 1e-9:
             cos3 = -np.sqrt(6) * (dev ** 3).sum() / ((dev ** 2).sum()) ** 1.5
             cos3 = min(1.0, max(-1.0, cos3))
-            F = np.sqrt(tan_psi ** 2 / 8 + (2 - tan_psi ** 2) / (2 + np.sqrt(2) * tan_psi * cos3)) - tan_psi / (2 * np.sqrt(2))
+            lode = (2 - tan_psi ** 2) / (2 + np.sqrt(2) * tan_psi * cos3)
+            F = np.sqrt(tan_psi ** 2 / 8 + lode) - tan_psi / (2 * np.sqrt(2))
         else:
             F = 1.0
         ed, ec, ei = self.limits * np.exp(-(-trace / self.hs) ** self.n)
@@ -74,7 +76,8 @@ def drained(sand, T, e, h, sign):
 
 
 def leg(sand, motion, y, sign, length, rows=2, event=None):
-    """Axial strain goes on by sign * length, or until the event; y: T, e, h, axial strain. Returns y at `rows` places, the start included."""
+    """Axial strain goes on by sign * length, or until the event; y: T, e, h, axial strain. Returns y at `rows` places,
+    the start included."""
     def f(_, y):
         dT, de, dh = sand.rates(y[:3], y[3], y[4:7], motion(sand, y[:3], y[3], y[4:7], -sign))
         return np.concatenate((dT, [de], dh, [sign]))
@@ -91,8 +94,8 @@ def start(p0, e0):
 
 
 def path(sand, motion, p0, e0, strains, rows):
-    """From an isotropic stress the axial strain (compression positive) goes to each of `strains`. Returns a table: axial strain, T radial,
-    T axial, e; `rows` of each leg, the last one of a leg being the first one of the next."""
+    """From an isotropic stress the axial strain (compression positive) goes to each of `strains`. Returns a table: axial
+    strain, T radial, T axial, e; `rows` of each leg, the last one of a leg being the first one of the next."""
     y, table = start(p0, e0), []
     for target in strains:
         part = leg(sand, motion, y, np.sign(target - y[7]), abs(target - y[7]), rows)

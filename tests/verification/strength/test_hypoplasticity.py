@@ -1,18 +1,19 @@
-"""Hypoplastic sand through `mudline point`, against an integration of the published equations (references/hypoplasticity.py).
+"""Hypoplastic sand through `mudline point`, against an integration of the published equations
+(references/hypoplasticity.py).
 
-Allowed everywhere: 0.5 % of the largest stress of the path, and 5e-4 of the void ratio. Hochstetten sand: docs/materials.md says where
-its numbers come from."""
+Allowed everywhere: 0.5 % of the largest stress of the path, and 5e-4 of the void ratio. Hochstetten sand:
+docs/materials.md says where its numbers come from."""
 import os
 import unittest
 
 import numpy as np
 
-from mudline_case import MudlineCase, point_deck
+from mudline_case import ROOT, MudlineCase, point_deck
 from references import hypoplasticity as reference
 
 ALLOWED = 5e-3
-SAND = {"type": "hypoplasticity", "critical friction angle [deg]": 33.0, "granular hardness": 1e9, "compression exponent": 0.25,
-        "densest void ratio": 0.55, "critical void ratio": 0.95, "loosest void ratio": 1.05, "peak exponent": 0.25,
+SAND = {"type": "hypoplasticity", "critical friction angle [deg]": 33.0, "granular hardness": 1e9,
+        "compression exponent": 0.25, "densest void ratio": 0.55, "critical void ratio": 0.95, "loosest void ratio": 1.05, "peak exponent": 0.25,
         "stiffness exponent": 1.5}
 RANGE = {"intergranular strain range": 1e-4, "reversal stiffness ratio": 5.0, "turn stiffness ratio": 2.0,
          "intergranular strain exponent": 0.5, "stiffness decay exponent": 6.0}
@@ -80,8 +81,8 @@ class HypoplasticityTests(MudlineCase):
         self.both("oedometer", "oedometer", reference.oedometric, 0.75, [0.01, 0.0085, 0.02, 0.0195, 0.02, 0.03], 100)
 
     def test_another_program(self):
-        """An oedometer test on a UMAT of the same law by others: 294.3 kPa at 0.5 % of strain, stiffness 29080 kPa in the last step of
-        1e-4 and 316559 kPa in the first one back, with a tolerance of 1e-3 of its integration and small strain."""
+        """An oedometer test on a UMAT of the same law by others: 294.3 kPa at 0.5 % of strain, stiffness 29080 kPa in
+        the last step of 1e-4 and 316559 kPa in the first one back, with a tolerance of 1e-3 and small strain."""
         h = self.point({"path": to("oedometer", 0.7, [0.005, 0.0049], 50)}, dict(SAND, **RANGE))["path"]
         stress = h["effective stress yy"]
         self.assertLess(abs(stress[50] / 294.3e3 - 1), 1e-3)
@@ -94,7 +95,7 @@ class HypoplasticityTests(MudlineCase):
         self.assertLess(h["mean effective stress"][-1], 0.12 * P0)
 
     def test_cycles_of_stress(self):
-        """Undrained, six cycles of +-30 kPa, to pore pressures above nine tenths of the stress: the same loops at the turns."""
+        """Undrained, six cycles of +-30 kPa, to pore pressures above nine tenths of the stress: the stress at the turns."""
         turns, steps = 12, 200
         test = {"type": "triaxial undrained", "stress difference": [30e3, -30e3], "cycles": turns // 2, "steps": steps,
                 "initial state": {"mean effective stress": P0, "void ratio": 0.75}}
@@ -104,6 +105,15 @@ class HypoplasticityTests(MudlineCase):
         self.close("cycles of stress: radial", h["effective stress xx"][steps::steps], -radial, ALLOWED * P0)
         self.close("cycles of stress: axial", h["effective stress yy"][steps::steps], -axial, ALLOWED * P0)
         self.assertGreater(h["excess pore pressure"].max(), 0.9 * P0)
+
+    def test_finite_elements(self):
+        """The force on the platen of inputs/materials/hypoplasticity.xml, a cylinder of 1 m radius without friction."""
+        history = self.run_deck(os.path.join(ROOT, "inputs", "materials", "hypoplasticity.xml"))
+        sand = reference.Sand(**reference.HOCHSTETTEN, **reference.INTERGRANULAR)
+        table = reference.path(sand, reference.drained, P0, 0.65, [-np.log(0.9)], 2000)
+        area = np.pi * np.exp(np.log((1 + table[:, 3]) / 1.65) + table[:, 0])
+        force = np.interp(-np.log1p(-0.1 * history.time), table[:, 0], -table[:, 2] * area)
+        self.close("finite elements: force", -history["reaction/platen y"][1:], force[1:], ALLOWED * force.max())
 
 
 if __name__ == "__main__":
