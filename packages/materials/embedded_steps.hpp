@@ -16,7 +16,7 @@ KOKKOS_INLINE_FUNCTION T power(const T& a, double exponent) {
 ///     bool rates(const T& s, const T* y, T* dy) const;     false: y is not admissible, the step is cut
 ///     T error_squared(const T* y, const T* error) const;   of one step, in units of the tolerance
 ///     T first_step(const T* y, const T* dy) const;         small enough not to be rejected as a rule
-///     T largest_step(const T* y) const;                    for the stability of an explicit method
+///     T largest_step(const T& s, const T* y) const;        for the stability of an explicit method
 /// With T a dual number the sizes of the steps carry derivatives too, so that the derivative of the result is that of
 /// what was computed.
 template <class T, int N, class System>
@@ -32,7 +32,7 @@ class EmbeddedSteps {
     if (!system_.rates(s, y, k_[0])) return false;
     T step = system_.first_step(y, k_[0]);
     for (int n = 0; n < attempts; ++n) {
-      const T rest = 1.0 - s, most = system_.largest_step(y);
+      const T rest = 1.0 - s, most = system_.largest_step(s, y);
       if (value(step) > value(most)) step = most;
       const bool last = !(value(step) < value(rest));
       if (last) step = rest;

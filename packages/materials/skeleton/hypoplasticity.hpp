@@ -124,8 +124,8 @@ class HypoplasticPath {
     return value(change) > value(most) ? most / change : T(1.0);
   }
   /// The intergranular strain tends to R D/|D| at rates up to |D|/R; the pair of methods is stable to 2.5 over that.
-  KOKKOS_INLINE_FUNCTION T largest_step(const T* y) const {
-    if (!(law_.range > 0.0) || settled(y + 6)) return T(1.0);
+  KOKKOS_INLINE_FUNCTION T largest_step(const T& s, const T* y) const {
+    if (!(law_.range > 0.0) || settled(value(s), y + 6)) return T(1.0);
     const double reach = law_.range / ::fmax(1.0, law_.evolution_exponent);
     return value(size_) > reach ? reach / size_ : T(1.0);
   }
@@ -134,7 +134,7 @@ class HypoplasticPath {
     if (!law_.admissible(value(p))) return false;
     const T e = specific_volume_ * exponential(s * volume_) - 1.0;
     const auto op = law_.operators(y, p, e);
-    if (law_.range > 0.0 && !settled(y + 6))
+    if (law_.range > 0.0 && !settled(value(s), y + 6))
       with_intergranular_strain(op, y + 6, dy);
     else
       without(op, dy);
@@ -158,10 +158,11 @@ class HypoplasticPath {
     const T square = sym6::norm_squared(tensor);
     return value(square) > 0.0 ? square_root(square) : T(0.0);
   }
-  /// Whether the intergranular strain is so near to R D/|D| that it changes no more.
-  KOKKOS_INLINE_FUNCTION bool settled(const T* h) const {
+  /// Whether the intergranular strain is so near to R D/|D| that it changes no more, nor with the direction of D: that
+  /// dies away as exp(-s |D|/R). The limit is no multiple of a substep of R.
+  KOKKOS_INLINE_FUNCTION bool settled(double s, const T* h) const {
     double distance[6];
-    if (!(value(size_) > 0.0)) return false;
+    if (!(s * value(size_) > 20.5 * law_.range)) return false;
     for (int i = 0; i < 6; ++i) distance[i] = value(h[i]) / law_.range - value(strain_[i]) / value(size_);
     return sym6::norm_squared(distance) < 1e-16;
   }

@@ -88,6 +88,14 @@ TEST(Hypoplasticity, TangentAgreesWithDifferences) {
     }
 }
 
+TEST(Hypoplasticity, TangentAgreesWithDifferencesOnAStraightPath) {
+  const Law law(sand());
+  PointDriver point(law, isotropic_stress(1e5), 0.75);
+  compress(point, Path::oedometric, 0.02, 20);  // now the intergranular strain is at rest
+  for (const double size : {1e-5, 1e-4, 1e-3, 1e-2})
+    EXPECT_LT(tangent_error(point, {0.0, -size, 0.0, 0.0, 0.0, 0.0}, 1e-5 * size), 1e-5) << size;
+}
+
 TEST(Hypoplasticity, ZeroStrainChangesNothingAndIsStiff) {
   for (const bool intergranular : {false, true}) {
     const Law law(sand(intergranular));
