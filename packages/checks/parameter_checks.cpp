@@ -75,7 +75,7 @@ const ParameterCheck table[] = {
      "reference pressure",
      false,
      "give it in Pa, as 1e5 (100 may be kPa, 1 kPa or bar)"},
-    {{"minimum mean stress", "Pa", {0, 2e4}, "below which Modified Cam Clay does not loosen"},
+    {{"minimum mean stress", "Pa", {0, 2e4}, "below which a soil does not loosen"},
      "materials",
      "skeleton",
      "minimum mean stress",

@@ -5,6 +5,7 @@
 #include "materials/permeability/kozeny_carman.hpp"
 #include "materials/permeability/log_linear.hpp"
 #include "materials/skeleton/drucker_prager.hpp"
+#include "materials/skeleton/hypoplasticity.hpp"
 #include "materials/skeleton/linear_elastic.hpp"
 #include "materials/skeleton/modified_cam_clay.hpp"
 #include "materials/skeleton/mohr_coulomb.hpp"
@@ -30,6 +31,8 @@ void register_materials(Registry<Skeleton>& skeletons, Registry<Fluid>& fluids,
                                                                  "Compressible elasticity at large stretch");
   skeletons.add<PointwiseSkeleton<AutomaticTangent<VonMises>>>("von mises",
                                                                "Deviatoric yield with isotropic hardening");
+  skeletons.add<PointwiseSkeleton<AutomaticTangent<Hypoplasticity>>>(
+      "hypoplasticity", "Sand from loose to dense in one set of parameters, with intergranular strain");
   skeletons.add<Umat>("umat", "A subroutine UMAT as finite-element programs take it, from a shared library");
   fluids.add<Water>("water", "Slightly compressible or incompressible water");
   permeabilities.add<ConstantPermeability>("constant", "The same conductivity at every void ratio");

@@ -100,7 +100,7 @@ void SoilPhysics::require_one_fluid_density(const Section& materials, const std:
 }
 
 /// Nine-node cells that are incompressible at 3 x 3 points have too few deformation modes left (volumetric locking):
-/// collapse loads are some per cent too high (docs/materials.md, section 9).
+/// collapse loads are some per cent too high (docs/materials.md, section 10).
 void SoilPhysics::warn_of_locking(const State& state) const {
   for (const SoilBlock& b : soil_->blocks) {
     const SoilPoints points(*soil_, b, state);

@@ -1,6 +1,7 @@
 // Cost of one material point in the host loop, gather and scatter included (items per second are points per second).
 #include <benchmark/benchmark.h>
 
+#include "materials/skeleton/hypoplasticity.hpp"
 #include "materials/skeleton/linear_elastic.hpp"
 #include "materials/skeleton/modified_cam_clay.hpp"
 #include "materials/skeleton/mohr_coulomb.hpp"
@@ -162,6 +163,30 @@ void von_mises_plastic(benchmark::State& bench) {
   run(bench, metal(), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
 }
 BENCHMARK(von_mises_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {100, 1000}});
+
+/// A sand at about its critical void ratio, from rest: the intergranular strain starts from zero. range(2): with it.
+void hypoplastic(benchmark::State& bench) {
+  Hypoplasticity law;
+  law.friction = 33.0;
+  law.hardness = 1e9;
+  law.compression_exponent = 0.25;
+  law.densest = 0.6;
+  law.critical = 1.0;
+  law.loosest = 1.2;
+  law.peak_exponent = 0.25;
+  law.stiffness_exponent = 1.5;
+  if (bench.range(2) != 0) {
+    law.range = 1e-4;
+    law.reversal = 5.0;
+    law.turn = 2.0;
+    law.evolution_exponent = 0.5;
+    law.decay_exponent = 6.0;
+  }
+  run(bench, PointwiseSkeleton<AutomaticTangent<Hypoplasticity>>(law), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
+}
+BENCHMARK(hypoplastic)
+    ->ArgNames({"tangent", "strain", "intergranular"})
+    ->ArgsProduct({{0, 1}, {1, 10, 100, 1000}, {0, 1}});
 
 }  // namespace
 

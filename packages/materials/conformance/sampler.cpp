@@ -21,11 +21,12 @@ InitialPoint Sampler::draw(double deviator) {
 InitialPoint Sampler::point() {
   for (;;) {
     InitialPoint r;
-    for (double deviator = 1.0; deviator > 1e-3; deviator *= 0.5) {
-      r = draw(deviator);
-      refusal_ = law_.initialise(r, state_.data());
-      if (refusal_.empty()) return r;
-    }
+    for (double deviator = 1.0; deviator > 1e-3; deviator *= 0.5)
+      for (int n = 0; n < 20; ++n) {  // a law may want the void ratio in a narrow range
+        r = draw(deviator);
+        refusal_ = law_.initialise(r, state_.data());
+        if (refusal_.empty()) return r;
+      }
     if (++refused_ > 100) return r;  // the caller looks at refused()
   }
 }
