@@ -69,7 +69,13 @@ GroundProfile::GroundProfile(const Model& model, const Point& at) {
   if (!model.soil()) throw InputError("the deck has no soil of which a profile could be made");
   const Soil& soil = *model.soil();
   const State& state = model.store().committed();
-  const Point foot = sideways(soil, at);
+  Point beside = at;  // a line along sides of elements would cross those on both
+  const Bounds& bounds = model.mesh().bounds();
+  for (int i = 0; i < 3; ++i) {
+    const double shift = 1e-7 * (bounds.high[i] - bounds.low[i]);
+    beside[i] += at[i] + shift < bounds.high[i] ? shift : -shift;
+  }
+  const Point foot = sideways(soil, beside);
   for (int node = 0; node < model.mesh().num_nodes(); ++node)
     surface_ = std::max(surface_, soil.height(model.mesh().place(node)));
   for (const SoilBlock& b : soil.blocks)

@@ -141,7 +141,7 @@ class Ground(MudlineCase):
 
     def test_profile(self):
         """What `mudline point --profile` writes of the ground above."""
-        done = self.profile(self.write("ground.xml", self.ground("0.7 + 0.02*y")), "--at", "0.7", "0", "--png", "ground.png")
+        done = self.profile(self.write("ground.xml", self.ground("0.7 + 0.02*y")), "--at", "1", "0", "--png", "ground.png")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(len(done.stdout.strip().splitlines()), 2 + 10 + 2)  # heads, rows, the names of the two files
         with open(os.path.join(self.folder, "results", "ground_ground.csv"), newline="", encoding="utf-8") as file:
