@@ -77,8 +77,6 @@ int point(const PointCommand& command);
 int profile(const PointCommand& command);
 /// Draws a picture with the report's script and waits for it. `kind`: its option, "--point" or "--ground". RunError.
 void draw(const std::string& kind, const std::string& png, const std::vector<std::string>& files);
-/// InputError unless there is one rank; `what` cannot be shared.
-void refuse_ranks(const std::string& what);
 int check_point(const Deck& deck, const std::string& name);
 int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);
 int explain(const std::string& name, const std::string& plugin);

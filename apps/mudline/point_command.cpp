@@ -88,6 +88,11 @@ void read_tests(PointDeck& d) {
   }
 }
 
+void refuse_ranks() {
+  if (Tpetra::getDefaultComm()->getSize() > 1)
+    throw InputError("a material point cannot be shared: run `mudline point` on one rank");
+}
+
 std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name, bool want_tests) {
   auto d = std::make_unique<PointDeck>();
   d->deck = deck;
@@ -182,11 +187,6 @@ bool contacts_conform(const PointDeck& d) {
 
 }  // namespace
 
-void refuse_ranks(const std::string& what) {
-  if (Tpetra::getDefaultComm()->getSize() > 1)
-    throw InputError(what + " cannot be shared: run `mudline point` on one rank");
-}
-
 void draw(const std::string& kind, const std::string& png, const std::vector<std::string>& files) {
   std::vector<std::string> arguments{kind, png};
   arguments.insert(arguments.end(), files.begin(), files.end());
@@ -200,7 +200,7 @@ void draw(const std::string& kind, const std::string& png, const std::vector<std
 }
 
 int point(const PointCommand& command) {
-  refuse_ranks("a material point");
+  refuse_ranks();
   if (command.profile && command.conformance) throw InputError("give --profile or --conformance, not both");
   if (!command.profile && !command.at.empty()) throw InputError("--at is the place of a --profile; there is none");
   if (command.profile) return profile(command);
@@ -239,7 +239,7 @@ int point(const PointCommand& command) {
 }
 
 int check_point(const Deck& deck, const std::string& name) {
-  refuse_ranks("a material point");
+  refuse_ranks();
   const auto d = load_point(deck, name, true);
   std::string tests;
   for (const NamedTest& test : d->tests) tests += (tests.empty() ? "" : ", ") + test.name;

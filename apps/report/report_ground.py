@@ -38,13 +38,21 @@ def read(path):
     return columns
 
 
+def largest(column):
+    return np.nanmax(np.abs(column[1]))
+
+
+def span(column):
+    return np.nanmax(column[1]) - np.nanmin(column[1])
+
+
 def panels(columns):
     """Lists of names that share a panel: stresses, then what varies over the depth, then the rest."""
     stresses = [name for name in TOGETHER if name in columns]
     known = [name for name in OWN if name in columns]
-    others = [n for n in columns if n not in TOGETHER + OWN + ("depth", "height") and np.nanmax(np.abs(columns[n][1])) > 0]
-    varies = [n for n in known + others if np.ptp(columns[n][1][np.isfinite(columns[n][1])]) > 1e-9 * np.nanmax(np.abs(columns[n][1]))]
-    rest = [n for n in known if n not in varies and np.isfinite(columns[n][1]).any()]
+    others = [name for name in columns if name not in TOGETHER + OWN + ("depth", "height") and largest(columns[name]) > 0]
+    varies = [name for name in known + others if span(columns[name]) > 1e-9 * largest(columns[name])]
+    rest = [name for name in known if name not in varies and np.isfinite(columns[name][1]).any()]
     return [stresses] + [[name] for name in (varies + rest)[: MOST - 1]]
 
 
@@ -60,8 +68,7 @@ def figure_of(columns):
         for ax in axes.flat[len(groups) :]:
             ax.set_visible(False)
         for ax, names in zip(axes.flat, groups):
-            largest = max(np.nanmax(np.abs(columns[name][1])) for name in names)
-            factor, unit = pictures.scaled(columns[names[0]][0], largest)
+            factor, unit = pictures.scaled(columns[names[0]][0], max(largest(columns[name]) for name in names))
             for name in names:
                 ax.plot(columns[name][1] * factor, depth, label=name)
             title = "stress" if len(names) > 1 else names[0]

@@ -29,8 +29,7 @@ struct Conductivity {
   double ck = 0.5;   // [-] change of void ratio for a tenfold conductivity
   const Permeability* asked = nullptr;
 
-  /// How many numbers the forms have: k0, e0, ck.
-  static constexpr int numbers = 3;
+  /// Writes the three numbers of the forms: k0, e0, ck.
   void write_numbers(double* values) const {
     values[0] = k0;
     values[1] = e0;

@@ -65,6 +65,10 @@ class PointwiseSkeleton : public Skeleton {
     prepare(law_);
   }
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
+  std::string number_out_of_range(const Point& place) const override {
+    std::vector<double> values(numbers_.size());
+    return numbers_.at(place, values.data());
+  }
   std::string initialise(const InitialPoint& point, double* state) const override {
     if (numbers_.empty()) return law_.initialise(point, state);
     double* values = state + numbers_.members().first;
@@ -174,7 +178,7 @@ class PointwiseSkeleton : public Skeleton {
   Law law_of(const double* state) const {
     return numbers_.empty() ? law_ : with_numbers(law_, numbers_.members(), state);
   }
-  /// The law of a point that has no state yet. A number out of range is reported when the point starts.
+  /// The law of a point that has no state yet. See number_out_of_range().
   Law law_at(const InitialPoint& point) const {
     if (numbers_.empty()) return law_;
     std::vector<double> state(state_size());

@@ -110,6 +110,8 @@ class Skeleton {
     for (const auto& v : state_variables()) n += v.components;
     return n;
   }
+  /// "" or which number of the law, a function of the place, is out of its range here.
+  virtual std::string number_out_of_range(const Point&) const { return ""; }
   /// Fills `state` (state_size values). Returns "" or the reason why the law cannot start from this point.
   virtual std::string initialise(const InitialPoint& point, double* state) const = 0;
   /// Whether volume and shear are apart: the mean stress follows the volume strain alone, does not act on stiffness and

@@ -78,6 +78,8 @@ std::string beyond_strength(const SoilMaterial& material, double k0, double vert
 
 std::string InitialState::at_rest(InitialPoint& point, double vertical, const Point& up,
                                   const SoilMaterial& material) const {
+  if (const std::string problem = material.skeleton->number_out_of_range(point.position); !problem.empty())
+    return problem;
   if (has_preoverburden_) {
     const double pop = preoverburden_(0, point.position);
     if (pop < 0) return "the preoverburden pressure is negative";

@@ -197,10 +197,10 @@ void Soil::declare_state(StateStore& store) {
                     [&](int k) { return materials[k]->permeability_ratios.given(); }))
       b.permeability = store.declare(at_points("permeability ratios", {{"permeability ratios", 6, "-"}}));
     if (std::any_of(b.made_of.begin(), b.made_of.end(), [&](int k) { return materials[k]->conductivity_varies(); }))
-      b.conductivity =
-          store.declare(at_points("conductivity", {{"hydraulic conductivity", 1, "m/s", Transfer::value, 0.0},
-                                                   {"reference void ratio", 1, "-", Transfer::value, 0.0},
-                                                   {"permeability index", 1, "-", Transfer::value, 0.0}}));
+      b.conductivity = store.declare(
+          at_points("conductivity", {{"hydraulic conductivity", 1, "m/s", Transfer::value, 0.0},
+                                     {"reference void ratio of conductivity", 1, "-", Transfer::value, 0.0},
+                                     {"permeability index", 1, "-", Transfer::value, 0.0}}));
     if (!layered()) continue;
     std::vector<StateVariable> place{{"material", 1, "-"}};
     for (int i = 0; i < space->mesh().dimension(); ++i)

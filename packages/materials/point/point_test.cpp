@@ -66,6 +66,8 @@ void PointTest::begin(const PointSoil& soil, const Section& section) {
   initial_.position = start_.place;
   initial_.height = start_.place[section.dimension() - 1];
   initial_.overconsolidation_ratio = start_.ocr;
+  if (const std::string problem = soil.skeleton->number_out_of_range(start_.place); !problem.empty())
+    start.fail("material '" + soil.name + "': " + problem, "place");
   double k0 = start_.k0 > 0.0 ? start_.k0 : 1.0;
   if (start_.vertical > 0.0 && start_.k0 == 0.0) {
     const std::string problem = guarded_k0(*soil.skeleton, initial_, k0);

@@ -136,6 +136,15 @@ class Ground(MudlineCase):
                 self.assertIn(words, done.stderr)
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1)
 
+    def test_number_out_of_range_somewhere(self):
+        """It is named before anything is made of it, such as K0 of the friction angle."""
+        deck = self.ground(0.5).replace("linear elastic", "mohr-coulomb").replace(
+            '<Parameter name="Young\'s modulus"', '<Parameter name="cohesion" type="double" value="1e3"/>'
+            '<Parameter name="friction angle [deg]" type="string" value="20 - 6*y"/><Parameter name="Young\'s modulus"')
+        done = program(["check", self.write("ground.xml", deck)], 1, self.folder)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertRegex(done.stderr, r"material 'clay' cannot start at \(.*\): its 'friction angle \[deg\]' is .* here; allowed: \[0, 60\]")
+
     def profile(self, deck, *arguments):
         return program(["point", deck, "--profile", *arguments], 1, self.folder)
 
