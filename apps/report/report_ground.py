@@ -46,6 +46,15 @@ def span(column):
     return np.nanmax(column[1]) - np.nanmin(column[1])
 
 
+def readable(unit, size):
+    """(factor, unit) of an axis; a number that is far from 1 in its unit has a power of ten before it."""
+    factor, unit = pictures.scaled(unit, size)
+    if size == 0 or 1e-2 <= size * factor < 1e5:
+        return factor, unit
+    exponent = int(np.floor(np.log10(size * factor)))
+    return factor * 10.0**-exponent, f"1e{exponent}" if unit == "-" else f"1e{exponent} {unit}"
+
+
 def panels(columns):
     """Lists of names that share a panel: stresses, then what varies over the depth, then the rest."""
     stresses = [name for name in TOGETHER if name in columns]
@@ -59,8 +68,8 @@ def panels(columns):
 def figure_of(columns):
     groups = panels(columns)
     depth = columns["depth"][1]
-    across = min(4, len(groups))
-    down = -(-len(groups) // across)
+    down = -(-len(groups) // 4)
+    across = -(-len(groups) // down)
     with pictures.plt.rc_context(pictures.STYLE):
         figure, axes = pictures.plt.subplots(
             down, across, figsize=(2.5 * across, 3.8 * down), constrained_layout=True, squeeze=False, sharey=True
@@ -68,7 +77,7 @@ def figure_of(columns):
         for ax in axes.flat[len(groups) :]:
             ax.set_visible(False)
         for ax, names in zip(axes.flat, groups):
-            factor, unit = pictures.scaled(columns[names[0]][0], max(largest(columns[name]) for name in names))
+            factor, unit = readable(columns[names[0]][0], max(largest(columns[name]) for name in names))
             for name in names:
                 ax.plot(columns[name][1] * factor, depth, label=name)
             title = "stress" if len(names) > 1 else names[0]
