@@ -115,6 +115,7 @@ void ResistanceResults::add_body(const RunView& run, const std::string& name, co
   const double area = section(run, body);
   if (resistance != nullptr && area > 0 && std::isfinite(area))
     to.set(stage, name, "resistance over its section", "Pa", resistance->value / area);
+  if (!(body.tip_height() > 0)) return;  // its shape has no tip apart from a shaft
   for (const char* part : {"tip", "shaft"})
     if (const auto force = over_contacts(run, body, std::string(part) + " reaction " + axis_names[up]))
       to.set(stage, name, std::string(part) + " resistance", "N", *force);
