@@ -83,7 +83,7 @@ GroundProfile::GroundProfile(const Model& model, const Point& at) {
       if (crosses(soil, b, model.mesh(), e, foot)) add_row(soil, b, state, e, nearest_point(soil, b, state, e, foot));
   if (materials_.empty())
     throw InputError("the vertical line through " + place_text(at, model.mesh().dimension()) + " misses the soil");
-  sort();
+  tidy();
 }
 
 GroundProfile::Column& GroundProfile::column(const std::string& name, const std::string& unit) {
@@ -131,7 +131,7 @@ void GroundProfile::add_row(const Soil& soil, const SoilBlock& b, const State& s
   }
 }
 
-void GroundProfile::sort() {
+void GroundProfile::tidy() {
   std::vector<std::size_t> order(materials_.size());
   std::iota(order.begin(), order.end(), 0);
   const std::vector<double> height = column("height", "m").values;
@@ -143,6 +143,10 @@ void GroundProfile::sort() {
   };
   materials_ = sorted(materials_);
   for (Column& column : columns_) column.values = sorted(column.values);
+  const auto empty = [](const Column& column) {
+    return std::none_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
+  };
+  columns_.erase(std::remove_if(columns_.begin(), columns_.end(), empty), columns_.end());
 }
 
 void GroundProfile::write(const std::string& path) const {

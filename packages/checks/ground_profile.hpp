@@ -31,7 +31,8 @@ class GroundProfile {
   Column& column(const std::string& name, const std::string& unit);
   void add(const std::string& name, const std::string& unit, double value) { column(name, unit).values.back() = value; }
   void add_row(const Soil& soil, const SoilBlock& block, const State& state, int element, int point);
-  void sort();
+  /// Sorts the rows from the top down and drops columns without a value.
+  void tidy();
 
   double surface_ = -1e300;  // [m] height of the highest node, from which depths are counted
   std::vector<Column> columns_;

@@ -59,6 +59,23 @@ class Strength(MudlineCase):
             varied = self.run_deck(decks, short + function, ranks, extra=["--overwrite"], name="short_torpedo")
             self.assert_same_run(plain, varied, ["body/anchor/velocity y", "contact/anchor/reaction y"], f"{ranks} ranks", 1e-7)
 
+    def test_sounding(self):
+        """A strip footing on the profile of a file: its pressure at failure lies between N_c times the lowest and the highest strength, and no
+        longer grows."""
+        decks = [os.path.join(ROOT, "inputs", "bearing_capacity", name + ".xml") for name in ("strip_tresca", "sounding")]
+        history = self.run_deck(decks, name="sounding")
+        pressure = np.abs(history["reaction/footing y"])  # on a metre
+        self.assertTrue((2 + np.pi) * 12e3 < pressure[-1] < (2 + np.pi) * 25e3, pressure[-1])
+        self.assertLess(pressure[-1] / np.interp(0.9, history.time, pressure) - 1, 1e-3)
+        done = program(["point", *decks, "--profile"], 1, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder, "results", "sounding_ground.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        depth, strength = (np.array([float(row[name]) for row in rows]) for name in ("depth [m]", "undrained strength [Pa]"))
+        exact = np.interp(depth, [0.0, 0.3, 0.6, 0.9, 1.5, 2.5], [25e3, 24e3, 16e3, 12e3, 12.6e3, 13.8e3])
+        self.assert_error("strength", np.abs(strength / exact - 1).max(), 1e-5)
+        self.assertNotIn("K0 [-]", rows[0])  # there is no vertical stress
+
     def test_point(self):
         """A test of soil from a depth is that with the numbers of this depth; rules across numbers hold at each place."""
         def deck(cohesion, friction, dilation, place):
