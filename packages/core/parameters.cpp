@@ -197,8 +197,9 @@ void Parameters::number(const std::string& name, double& member, const std::stri
   ParameterDoc full{name, type_of(member), unit, range.describe(), required ? "" : text_of(member), doc, required, {}};
   full.may_vary = varying_ != nullptr;
   read(full, [&](const Teuchos::ParameterEntry& entry) {
+    const std::string text = entry_text(entry);
     const bool may_be_function =
-        varying_ != nullptr && entry.isType<std::string>() && unknown_unit(entry_text(entry)).empty();
+        varying_ != nullptr && entry.isType<std::string>() && !parse_number(text) && unknown_unit(text).empty();
     if (!may_be_function) return convert(entry, range, member);
     const Function function = read_function(entry, section_->functions(), unit);
     if (!function.steady())

@@ -1,10 +1,9 @@
 #include "materials/numbers_of_place.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <stdexcept>
-
-#include "core/text.hpp"
 
 namespace mudline {
 
@@ -32,8 +31,10 @@ std::string NumbersOfPlace::at(const Point& place, double* values) const {
   for (int k = 0; k < size(); ++k) {
     const NumberOfPlace& number = numbers_[k];
     values[k] = number.function(0, place);
-    if (!number.range.contains(values[k]))
-      return "its '" + number.name + "' is " + number_text(values[k]) + " here; allowed: " + number.range.describe();
+    if (number.range.contains(values[k])) continue;
+    char value[32];
+    std::snprintf(value, sizeof value, "%.6g", values[k]);
+    return "its '" + number.name + "' is " + value + " here; allowed: " + number.range.describe();
   }
   return "";
 }
