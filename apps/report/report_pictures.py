@@ -27,7 +27,9 @@ STYLE = {
     "ytick.color": "#333333",
     "legend.frameon": False,
     "lines.linewidth": 1.5,
-    "axes.prop_cycle": matplotlib.cycler(color=["#0b5d8a", "#d1622b", "#3a8f5c", "#8a4f9e", "#b8902a", "#5c5c5c"]),
+    # six colours; further curves have them again, dashed and then dotted
+    "axes.prop_cycle": matplotlib.cycler(linestyle=["-", "--", ":"])
+    * matplotlib.cycler(color=["#0b5d8a", "#d1622b", "#3a8f5c", "#8a4f9e", "#b8902a", "#5c5c5c"]),
     "svg.fonttype": "path",
     "svg.hashsalt": "mudline",
     "figure.dpi": 100,

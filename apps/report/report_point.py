@@ -3,6 +3,7 @@
 Run by `mudline point --png FILE` as: mudline_report.py --point FILE test.csv [test.csv ...]
 """
 
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -46,16 +47,13 @@ def point_figure(tests):
         strain = {frozenset([True]): "shear strain [%]", frozenset([False]): "axial strain [%]"}.get(
             frozenset(kinds), "axial or shear strain [%]"
         )
-        for k, (name, c) in enumerate(curves.items()):
-            line_style = ("-", "--", ":")[k // 6 % 3]  # there are six colours
+        for style, (name, c) in zip(itertools.cycle(pictures.plt.rcParams["axes.prop_cycle"]), curves.items()):
             pairs = [(c.mean, c.deviator), (c.strain, c.deviator), (c.mean, c.void_ratio), (c.strain, c.pressure)]
-            colour = None
             for ax, (x, y) in zip(axes.flat, pairs):
                 if y is None:  # drained
                     continue
-                (line,) = ax.plot(x, y, line_style, label=name, color=colour)
-                colour = line.get_color()
-                ax.plot(x[:1], y[:1], "o", markersize=3.5, color=colour)
+                ax.plot(x, y, label=name, **style)
+                ax.plot(x[:1], y[:1], "o", markersize=3.5, color=style["color"])
         labels = [
             ("p' [kPa]", "q [kPa]"),
             (strain, "q [kPa]"),
