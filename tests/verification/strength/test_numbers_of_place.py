@@ -146,7 +146,8 @@ class Ground(MudlineCase):
                                 ("0.5*t", "materials/clay/porosity: '0.5*t' depends on the time; this number may depend on the place only"),
                                 ("0.5 + 0.06*y", "the void ratio that the deck gives here"),
                                 ("0.5 + depth", "materials/clay/porosity: invalid expression '0.5 + depth'"),
-                                ("1.5", "materials/clay/porosity: 1.5 is out of range; allowed: [0, 1)")):
+                                ("3/2", "materials/clay/porosity: 3/2 is out of range; allowed: [0, 1)"),
+                                ("1.5", "materials/clay/porosity: expected a number (double), given the string")):
             with self.subTest(porosity=porosity):
                 done = program(["check", self.write("ground.xml", self.ground(porosity))], 1, self.folder)
                 self.assertEqual(done.returncode, 2, done.stdout)
