@@ -59,7 +59,8 @@ def panels(columns):
     """Lists of names that share a panel: stresses, then what varies over the depth, then the rest."""
     stresses = [name for name in TOGETHER if name in columns]
     known = [name for name in OWN if name in columns]
-    others = [name for name in columns if name not in TOGETHER + OWN + ("depth", "height") and largest(columns[name]) > 0]
+    placed = TOGETHER + OWN + ("depth", "height")
+    others = [name for name in columns if name not in placed and largest(columns[name]) > 0]
     varies = [name for name in known + others if span(columns[name]) > 1e-9 * largest(columns[name])]
     rest = [name for name in known if name not in varies and np.isfinite(columns[name][1]).any()]
     return [stresses] + [[name] for name in (varies + rest)[: MOST - 1]]

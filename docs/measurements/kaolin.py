@@ -1,6 +1,7 @@
 """Draws docs/pictures/measured_kaolin.png and prints the table of docs/measurements/kaolin.md.
 
 An argument is the program."""
+
 import laboratory
 from laboratory import STRAIN, STRESS, at
 

@@ -1,4 +1,5 @@
 """Laboratory tests and the curves that `mudline point` makes of them, in the same columns."""
+
 import csv
 import os
 import subprocess

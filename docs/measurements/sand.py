@@ -1,6 +1,7 @@
 """Draws docs/pictures/measured_sand.png and prints the table of docs/measurements/sand.md.
 
 An argument is the program."""
+
 import numpy as np
 
 import laboratory

@@ -12,6 +12,8 @@
 #include "core/text.hpp"
 #include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
+#include "tensor/sym6.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -20,36 +22,24 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The part of a position that is not height.
-Point sideways(const Soil& soil, Point x) {
-  const double height = soil.height(x);
-  for (int i = 0; i < 3; ++i) x[i] -= height * soil.up[i];
-  return x;
-}
+Point sideways(const Soil& soil, const Point& x) { return x - soil.height(x) * soil.up; }
 
 /// Whether a vertical line through `foot`, which has no height, crosses an element.
 bool crosses(const Soil& soil, const SoilBlock& b, const Mesh& mesh, int element, const Point& foot) {
-  Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (int a = 0; a < b.u.nodes; ++a) {
-    const Point x = sideways(soil, mesh.place(b.nodes(element, a)));
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], x[i]);
-      high[i] = std::max(high[i], x[i]);
-    }
-  }
+  Bounds box = Bounds::nothing();
+  for (int a = 0; a < b.u.nodes; ++a) box.enclose(sideways(soil, mesh.place(b.nodes(element, a))));
   for (int i = 0; i < 3; ++i) {
-    const double slack = 1e-9 * (1 + high[i] - low[i]);
-    if (foot[i] < low[i] - slack || foot[i] > high[i] + slack) return false;
+    const double slack = 1e-9 * (1 + box.high[i] - box.low[i]);
+    if (foot[i] < box.low[i] - slack || foot[i] > box.high[i] + slack) return false;
   }
   return true;
 }
-
-double separation(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 int nearest_point(const Soil& soil, const SoilBlock& b, const State& state, int element, const Point& foot) {
   int best = 0;
   double least = 1e300;
   for (int q = 0; q < b.points; ++q) {
-    const double d = separation(sideways(soil, b.place(element, q, state.coordinates)), foot);
+    const double d = length(sideways(soil, b.place(element, q, state.coordinates)) - foot);
     if (d < least * (1 - 1e-9)) best = q;
     least = std::min(least, d);
   }
@@ -60,9 +50,7 @@ int nearest_point(const Soil& soil, const SoilBlock& b, const State& state, int 
 
 Point GroundProfile::middle(const Model& model) {
   const Bounds& bounds = model.mesh().bounds();
-  Point result{};
-  for (int i = 0; i < 3; ++i) result[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
-  return result;
+  return 0.5 * (bounds.low + bounds.high);
 }
 
 GroundProfile::GroundProfile(const Model& model, const Point& at) {
@@ -99,17 +87,16 @@ void GroundProfile::add_row(const Soil& soil, const SoilBlock& b, const State& s
   materials_.push_back(material.name);
   for (Column& column : columns_) column.values.push_back(none);
   const double* stress = points.stress(row);
-  double vertical = 0, trace = 0;
-  for (int i = 0; i < 3; ++i) {
-    trace -= stress[i];
+  double vertical = 0;
+  for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) vertical -= soil.up[i] * stress[six(i, j)] * soil.up[j];
-  }
+  const double horizontal = 0.5 * (-sym6::trace(stress) - vertical);
   const double height = soil.height(b.place(element, point, state.coordinates));
   add("depth", "m", surface_ - height);
   add("height", "m", height);
   add("vertical effective stress", "Pa", 0.0 + vertical);
-  add("horizontal effective stress", "Pa", 0.5 * (trace - vertical));
-  add("K0", "-", vertical > 0 ? 0.5 * (trace - vertical) / vertical : none);
+  add("horizontal effective stress", "Pa", horizontal);
+  add("K0", "-", vertical > 0 ? horizontal / vertical : none);
   if (const int place = place_of_scalar(b, soil.pressure); place >= 0)
     add("pore pressure", "Pa", b.scalar_at(element, point, place, state.value));
   const SoilState found = points.soil_state(row);

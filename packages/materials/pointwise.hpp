@@ -73,14 +73,13 @@ class PointwiseSkeleton : public Skeleton {
     if (numbers_.empty()) return law_.initialise(point, state);
     double* values = state + numbers_.members().first;
     if (const std::string reason = numbers_.at(point.position, values); !reason.empty()) return reason;
+    Law own = law_of(state);
     try {
-      Law own = law_;
-      numbers_.members().give(own, state);
       check(own, numbers_.section());
     } catch (const InputError& error) {
       return error.what();
     }
-    return law_of(state).initialise(point, state);
+    return own.initialise(point, state);
   }
   ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const override {
     return law_of(state).moduli(stress, void_ratio, state);

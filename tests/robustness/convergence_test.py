@@ -112,7 +112,7 @@ class LaidDown(Convergence):
                 # a body in the air takes guesses until it touches, twelve to sixteen, the damped ones among them: no step may be lost
                 self.laid(entries, keys.get("force", -2800.0), "y", steps=1 if keys.get("step") else 4, most=None if "height" in keys else 8)
                 with open(os.path.join(self.folder, "results", "block.results.csv"), encoding="utf-8") as file:
-                    self.assertEqual("shaft resistance" in file.read(), "contour" in keys)  # a strip has no tip apart from a shaft
+                    self.assertEqual("shaft resistance" in file.read(), "contour" in keys)  # a strip has no shaft
 
     def test_in_space(self):
         for keys in ({}, {"friction": 0.1}, {"friction": 0.8}, {"side": 0.4}):

@@ -13,8 +13,8 @@ from references import hypoplasticity as reference
 
 ALLOWED = 5e-3
 SAND = {"type": "hypoplasticity", "critical friction angle [deg]": 33.0, "granular hardness": 1e9,
-        "compression exponent": 0.25, "densest void ratio": 0.55, "critical void ratio": 0.95, "loosest void ratio": 1.05, "peak exponent": 0.25,
-        "stiffness exponent": 1.5}
+        "compression exponent": 0.25, "densest void ratio": 0.55, "critical void ratio": 0.95,
+        "loosest void ratio": 1.05, "peak exponent": 0.25, "stiffness exponent": 1.5}
 RANGE = {"intergranular strain range": 1e-4, "reversal stiffness ratio": 5.0, "turn stiffness ratio": 2.0,
          "intergranular strain exponent": 0.5, "stiffness decay exponent": 6.0}
 P0 = 1e5
@@ -95,7 +95,7 @@ class HypoplasticityTests(MudlineCase):
         self.assertLess(h["mean effective stress"][-1], 0.12 * P0)
 
     def test_cycles_of_stress(self):
-        """Undrained, six cycles of +-30 kPa, to pore pressures above nine tenths of the stress: the stress at the turns."""
+        """Undrained, six cycles of +-30 kPa, to pore pressures above nine tenths of the stress, at the turns."""
         turns, steps = 12, 200
         test = {"type": "triaxial undrained", "stress difference": [30e3, -30e3], "cycles": turns // 2, "steps": steps,
                 "initial state": {"mean effective stress": P0, "void ratio": 0.75}}

@@ -1,4 +1,5 @@
 """The misses of docs/measurements: laboratory tests beside what `mudline point` makes of them."""
+
 import os
 import sys
 import unittest
@@ -30,7 +31,9 @@ class Sand(unittest.TestCase):
                 miss, stress = self.misses(name, STRAIN, STRESS)
                 late = self.tests[name][STRAIN] > 3.0
                 self.assertLess(np.abs(miss / stress)[late].max(), 0.085)
-                self.assertTrue(-0.3 < (miss / stress)[0] < -0.2)  # without intergranular strain the first part is too soft, as the page says
+                self.assertTrue(
+                    -0.3 < (miss / stress)[0] < -0.2
+                )  # too soft without intergranular strain, as the page says
                 self.assertLess(np.abs(self.misses(name, STRAIN, sand.VOLUME)[0]).max(), 0.35)
 
     def test_oedometer(self):
