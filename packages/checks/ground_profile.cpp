@@ -90,11 +90,11 @@ void GroundProfile::add_row(const Soil& soil, const SoilBlock& b, const State& s
   double vertical = 0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) vertical -= soil.up[i] * stress[six(i, j)] * soil.up[j];
-  const double horizontal = 0.5 * (-sym6::trace(stress) - vertical);
+  const double horizontal = 0.0 - 0.5 * (sym6::trace(stress) + vertical);  // 0 without stress, not -0
   const double height = soil.height(b.place(element, point, state.coordinates));
   add("depth", "m", surface_ - height);
   add("height", "m", height);
-  add("vertical effective stress", "Pa", 0.0 + vertical);
+  add("vertical effective stress", "Pa", vertical);
   add("horizontal effective stress", "Pa", horizontal);
   add("K0", "-", vertical > 0 ? horizontal / vertical : none);
   if (const int place = place_of_scalar(b, soil.pressure); place >= 0)
