@@ -12,7 +12,8 @@ mudline_launcher(mudline_mpiexec ${MPIEXEC_EXECUTABLE})
 # mudline_test(NAME LABELS word... {SCRIPT file.py | COMMAND program} [argument...] [RANKS n]
 #              [ENVIRONMENT name=value...])
 #
-# SCRIPT is a Python file of the calling folder. RANKS: processors that it takes.
+# SCRIPT is a Python file of the calling folder. RANKS: processors that it takes; for tests that are a run of so
+# many ranks and little else. Tests that mostly start runs of one rank take one.
 #
 # tests/support/cpu_limit.py ends what never would: a test that runs away, after `cpu` seconds on processors of all that
 # it starts, and one that hangs, by the clock. The limit is one for all and some five times what the dearest test takes

@@ -154,7 +154,7 @@ def setUpModule():
     for name in ("my_clay", "heat_conduction", "my_interface", "solute", "wall_profile"):
         sources.append(os.path.join(SCRATCH, name))
         shutil.copytree(os.path.join(PREFIX, "share", "mudline", "inputs", "plugins", name), sources[-1])  # as an author has it, away from mudline's tree
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:  # the test has two processors
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:  # as many as the machine that runs the tests has
         list(pool.map(build, sources))
     mudline_case.PROGRAM = os.path.join(PREFIX, "bin", "mudline")  # the installed one
 
