@@ -76,13 +76,20 @@ void kinetic(const ContactSetup& of, const Judge& judge) {
           of.called() + ": the kinetic over the friction coefficient", "sliding surfaces have the lower one");
 }
 
+/// A function of the friction law where it is a constant; 0 where it is absent or follows time or place.
+double constant_in(const ContactSetup& of, const char* entry) {
+  Function value;
+  Parameters(friction_of(of)).add(entry, value, "", "");
+  return value.is_constant() ? value(0, {}) : 0.0;
+}
+
 void adhesion(const ContactSetup& of, const Judge& judge) {
-  const double value = number_in(friction_of(of), "adhesion", 0);
+  const double value = constant_in(of, "adhesion");
   if (value > 0) judge(value, of.called() + ": its 'adhesion'", "give it in Pa (1 to 100 may be kPa)");
 }
 
 void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
-  const double value = number_in(friction_of(of), "adhesion", 0);
+  const double value = constant_in(of, "adhesion");
   if (value > 0 && of.soil.strength > 0)
     judge(value / of.soil.strength,
           of.called() + ": its 'adhesion' over the largest undrained strength at the surface, " +
@@ -91,10 +98,23 @@ void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
 }
 
 void cap(const ContactSetup& of, const Judge& judge) {
-  if (!friction_of(of).has_parameter("cap")) return;
-  Function limit;
-  Parameters(friction_of(of)).add("cap", limit, "", "");
-  if (limit.is_constant()) judge(limit(0, {}), of.called() + ": its 'cap'", "give it in Pa (1 to 100 may be kPa)");
+  const double value = constant_in(of, "cap");
+  if (value > 0) judge(value, of.called() + ": its 'cap'", "give it in Pa (1 to 100 may be kPa)");
+}
+
+void alpha(const ContactSetup& of, const Judge& judge) {
+  const double value = constant_in(of, "alpha");
+  if (value > 0)
+    judge(value, of.called() + ": its 'alpha'",
+          "it is a share of the touching soil's undrained strength: the soil shears before an interface that is "
+          "stronger");
+}
+
+void residual(const ContactSetup& of, const Judge& judge) {
+  const double peak = number_in(friction_of(of), "coefficient", 0);
+  if (friction_of(of).has_parameter("residual coefficient") && peak > 0)
+    judge(number_in(friction_of(of), "residual coefficient", 0) / peak,
+          of.called() + ": the residual over the friction coefficient", "surfaces that have slid have the lower one");
 }
 
 void tangential(const ContactSetup& of, const Judge& judge) {
@@ -164,6 +184,8 @@ std::vector<Check<ContactSetup>> contact_checks() {
       {{"penalty factor", "-", {0.3, 1e4}, "of a contact's automatic penalty"}, penalty_factor},
       {{"friction coefficient", "-", {0, 1}, "of a contact"}, friction},
       {{"kinetic friction", "-", {0, 1}, "kinetic over friction coefficient"}, kinetic},
+      {{"residual friction", "-", {0, 1}, "residual over friction coefficient"}, residual},
+      {{"friction alpha", "-", {0.05, 1.001}, "of a contact with friction"}, alpha},
       {{"adhesion", "Pa", {200, 1e6}, "of a contact with friction"}, adhesion},
       {{"adhesion over strength", "-", {0, 1.001}, "adhesion over the undrained strength at the surface"},
        adhesion_over_strength},

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct ContactContext {
   /// Total stress [Pa, tension positive, as sym6 numbers it] of a state in an element of a block, at a point on its
   /// surface; absent: none.
   std::function<std::array<double, 6>(const State& state, int block, int element, const Point& at)> stress = {};
+  /// Undrained strength [Pa] of the soil in an element of a block in a state, at a point on its surface; not a number
+  /// where the soil's law has none; absent: no soil has one.
+  std::function<double(const State& state, int block, int element, const Point& at)> undrained_strength = {};
   /// The mesh is the result of remeshing: its surface is where the bodies have left it, not where they start.
   bool remeshed = false;
 };
@@ -36,9 +40,10 @@ struct ContactContext {
 /// Partners of a contact: the sides of one surface, and a body or the sides of another surface.
 struct ContactPartners {
   std::string surface;
-  std::string opposite;             // side set; empty: a body
-  const RigidBody* body = nullptr;  // null: two surfaces
-  bool shear = false;               // friction may act along the surface
+  std::string opposite;                    // side set; empty: a body
+  const RigidBody* body = nullptr;         // null: two surfaces
+  bool shear = false;                      // friction may act along the surface
+  std::optional<Section> strength_reader;  // the law that reads the undrained strength of the surface's soil
 };
 
 /// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact

@@ -28,6 +28,7 @@ void ContactLaws::declare_normal_law(Parameters& p) {
 void ContactLaws::read(const ContactContext& context, const Section& section) {
   space_ = &context.space;
   temperature_ = space_->find("temperature");
+  strength_ = context.undrained_strength;
   if (section.has_section("friction")) {
     const Section law = section.section("friction");
     friction_ = context.frictions.create(law);
@@ -46,10 +47,14 @@ void ContactLaws::read(const ContactContext& context, const Section& section) {
 void ContactLaws::note(const SoilQuantities& asked, const Section& law) {
   if (asked.temperature && temperature_ < 0)
     law.fail("this law reads the soil's temperature; it needs a model with the field 'temperature'", "type");
+  if (asked.undrained_strength && !strength_)
+    law.fail("this law reads the soil's undrained strength, of which the model keeps none", "type");
   if (asked.mean_stress) stress_reader_ = law;
+  if (asked.undrained_strength) strength_reader_ = law;
   read_.pore_pressure = read_.pore_pressure || asked.pore_pressure;
   read_.temperature = read_.temperature || asked.temperature;
   read_.mean_stress = read_.mean_stress || asked.mean_stress;
+  read_.undrained_strength = read_.undrained_strength || asked.undrained_strength;
 }
 
 void ContactLaws::check_linear(const Section& section, bool multipliers, bool conserving) const {
@@ -107,6 +112,7 @@ TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, 
   if (!read_.pore_pressure) result.pore_pressure = TouchingSoil::unknown;
   if (read_.temperature) result.temperature = temperature(committed, side, xi);
   if (read_.mean_stress) result.mean_stress = mean_stress(committed, side);
+  if (read_.undrained_strength) result.undrained_strength = undrained_strength(committed, side, xi);
   return result;
 }
 
@@ -118,6 +124,15 @@ double ContactLaws::temperature(const State& committed, const SurfaceSide& side,
   for (int a = 0; a < num_nodes(carrier); ++a)
     result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
   return result;
+}
+
+double ContactLaws::undrained_strength(const State& committed, const SurfaceSide& side, const double* xi) const {
+  const SideCoordinates x = side_coordinates(side, committed.coordinates);
+  double shape[max_side_nodes], slope[2 * max_side_nodes];
+  evaluate_shape(side.shape, xi, shape, slope);
+  Point at{};
+  for (int a = 0; a < side.count; ++a) at += shape[a] * x[a];
+  return strength_(committed, side.block, side.element, at);
 }
 
 double ContactLaws::mean_stress(const State& committed, const SurfaceSide& side) const {

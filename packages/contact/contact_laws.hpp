@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,8 @@ class ContactLaws {
   const NormalLaw& normal() const { return *normal_; }
   /// Tangential over normal penalty; 0: no friction.
   double tangential_factor() const { return friction_ ? friction_->tangential_factor() : 0.0; }
+  /// The deck's law, friction or normal law, that reads the soil's undrained strength.
+  const std::optional<Section>& strength_reader() const { return strength_reader_; }
   bool read_pore_pressure() const { return read_.pore_pressure; }
   /// Makes the contact read the pore pressure, whatever its laws read.
   void ask_for_pore_pressure() { read_.pore_pressure = true; }
@@ -42,13 +45,16 @@ class ContactLaws {
   void note(const SoilQuantities& asked, const Section& law);
   double temperature(const State& committed, const SurfaceSide& side, const double* xi) const;
   double mean_stress(const State& committed, const SurfaceSide& side) const;
+  double undrained_strength(const State& committed, const SurfaceSide& side, const double* xi) const;
 
   const Space* space_ = nullptr;
+  std::function<double(const State&, int, int, const Point&)> strength_;  // see ContactContext
   std::unique_ptr<const Friction> friction_;
   std::unique_ptr<const NormalLaw> normal_ = std::make_unique<LinearNormalLaw>();
   SoilQuantities read_;
   int temperature_ = -1;                     // field
   std::optional<Section> stress_reader_;     // the law that reads the mean stress
+  std::optional<Section> strength_reader_;   // and that reads the undrained strength
   std::vector<std::pair<int, int>> stress_;  // (block) state handle, points per element
 };
 

@@ -80,8 +80,9 @@ struct ElasticModuli {
 
 /// State of a point in terms of soil mechanics; empty where the law has no such quantity.
 struct SoilState {
-  std::optional<double> undrained_strength;  // s_u [Pa]: half the largest stress difference, or the shear stress in
-                                             // simple shear of a law that has one strength in all directions
+  /// s_u [Pa], at present: half the largest stress difference, or the shear stress in simple shear of a law that has
+  /// one strength in all directions.
+  std::optional<double> undrained_strength;
   std::optional<double> overconsolidation_ratio;  // [-] size of the yield surface over that through the stress
 };
 

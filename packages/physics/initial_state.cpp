@@ -11,6 +11,8 @@
 #include "discretisation/mesh_topology.hpp"
 #include "materials/earth_pressure.hpp"
 #include "materials/guarded_law.hpp"
+#include "physics/overconsolidation.hpp"
+#include "physics/soil_points.hpp"
 #include "tensor/midpoint_rule.hpp"
 
 namespace mudline {
@@ -45,16 +47,35 @@ void InitialState::parameters(Parameters& p) {
         "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + "
         "POP/sigma'_v; function of position");
   has_preoverburden_ = p.given("preoverburden pressure");
+  p.add(
+      "undrained strength", strength_, "Pa",
+      "instead of the overconsolidation ratio, which is found so that the skeleton law has this undrained strength at "
+      "the start; function of position");
+  has_strength_ = p.given("undrained strength");
+  p.add("undrained strength ratio", strength_ratio_, "-",
+        "geostatic, instead of the undrained strength: over the vertical effective stress, s_u/sigma'_v; function of "
+        "position");
+  has_strength_ratio_ = p.given("undrained strength ratio");
 }
 
 void InitialState::check(const Section& section) const {
   if (has_k0_ && has_k0_angle_) section.fail("give either this or 'K0', not both", "K0 friction angle [deg]");
-  if (has_ocr_ && has_preoverburden_)
-    section.fail("give either this or 'overconsolidation ratio', not both", "preoverburden pressure");
+  const char* given = nullptr;  // what the overconsolidation follows from
+  for (const auto& [entry, there] : {std::pair{"overconsolidation ratio", has_ocr_},
+                                     {"preoverburden pressure", has_preoverburden_},
+                                     {"undrained strength", has_strength_},
+                                     {"undrained strength ratio", has_strength_ratio_}}) {
+    if (there && given) section.fail("give either this or '" + std::string(given) + "', not both", entry);
+    if (there) given = entry;
+  }
+  if (has_strength_ && kind_ == Kind::stress_free)
+    section.fail("without stress there is no overconsolidation; give the strength in 'skeleton'", "undrained strength");
   if (kind_ == Kind::geostatic) return;
   if (has_k0_angle_) section.fail("only a geostatic start has a K0", "K0 friction angle [deg]");
   if (has_preoverburden_)
     section.fail("only a geostatic start has a vertical stress to add it to", "preoverburden pressure");
+  if (has_strength_ratio_)
+    section.fail("only a geostatic start has a vertical stress to multiply it with", "undrained strength ratio");
 }
 
 namespace {
@@ -86,6 +107,16 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Po
     if (pop > 0 && vertical <= 0) return "a preoverburden pressure needs vertical effective stress; give a 'surcharge'";
     if (pop > 0) point.overconsolidation_ratio = 1 + pop / vertical;
   }
+  if (has_strength_ratio_ && vertical <= 0)
+    return "an undrained strength ratio needs vertical effective stress; give a 'surcharge'";
+  if (!has_strength_ && !has_strength_ratio_) return stress_at_rest(point, vertical, up, material);
+  return overconsolidate(
+      material, has_strength_ ? strength_(0, point.position) : strength_ratio_(0, point.position) * vertical,
+      [&](InitialPoint& at) { return stress_at_rest(at, vertical, up, material); }, point);
+}
+
+std::string InitialState::stress_at_rest(InitialPoint& point, double vertical, const Point& up,
+                                         const SoilMaterial& material) const {
   double k0 = 0;
   if (has_k0_) {
     k0 = k0_(0, point.position);
@@ -157,6 +188,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (kind_ == Kind::geostatic) set_pressure(soil, store, [&](double y) { return ground->pore_pressure(y); });
   if (kind_ == Kind::uniform) set_pressure(soil, store, [&](double) { return pressure_; });
   std::string problem;
+  bool any_strength = false;
   for (const SoilBlock& b : soil.blocks) {
     for (int e = 0; e < b.elements; ++e)
       for (int q = 0; q < b.points; ++q) {
@@ -169,6 +201,9 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         point.overconsolidation_ratio = ocr_(0, point.position);
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
         std::string rest;
+        if (kind_ == Kind::uniform && has_strength_)
+          rest = overconsolidate(
+              material, strength_(0, point.position), [](InitialPoint&) { return ""; }, point);
         if (kind_ == Kind::geostatic) {
           const double pressure = material.biot_coefficient * ground->pore_pressure(point.height);
           rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, material);
@@ -187,6 +222,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
                                        ? start_guarded(*material.skeleton, point,
                                                        state.arrays[b.law].data() + row * state.arrays[b.law].extent(1))
                                        : rest;
+        if (reason.empty())
+          any_strength = any_strength || SoilPoints(soil, b, state).soil_state(row).undrained_strength;
         if (!reason.empty() && problem.empty())
           problem = "material '" + material.name + "' cannot start at " +
                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
@@ -196,6 +233,11 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   agree(*soil.space->dofs()->comm(), [&] {
     if (!problem.empty()) section.fail(problem);
   });
+  int there = any_strength, anywhere = 0;
+  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_MAX, 1, &there, &anywhere);
+  if ((has_strength_ || has_strength_ratio_) && anywhere == 0)
+    section.fail("no soil of this model has a law with an undrained strength",
+                 has_strength_ ? "undrained strength" : "undrained strength ratio");
 }
 
 }  // namespace mudline

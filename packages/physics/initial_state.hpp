@@ -24,6 +24,8 @@ class InitialState {
   /// Sets overconsolidation ratio and stress of a geostatic point under a vertical effective stress [Pa]; returns "" or
   /// the problem.
   std::string at_rest(InitialPoint& point, double vertical, const Point& up, const SoilMaterial& material) const;
+  /// Sets the stress of a geostatic point with its overconsolidation ratio; returns "" or the problem.
+  std::string stress_at_rest(InitialPoint& point, double vertical, const Point& up, const SoilMaterial& material) const;
   GeostaticColumn column(const Soil& soil, double g, const Section& section) const;
   /// Sets the pore pressures at the start as a function of height.
   void set_pressure(const Soil& soil, StateStore& store, const std::function<double(double height)>& at) const;
@@ -32,8 +34,9 @@ class InitialState {
   double stress_[6] = {};  // xx yy zz yz xz xy, compression positive
   double pressure_ = 0;
   double surcharge_ = 0, water_level_ = 0;
-  bool has_water_ = false, has_k0_ = false, has_k0_angle_ = false, has_ocr_ = false, has_preoverburden_ = false;
-  Function k0_, k0_angle_, ocr_{1.0}, preoverburden_;
+  bool has_water_ = false, has_k0_ = false, has_k0_angle_ = false, has_ocr_ = false, has_preoverburden_ = false,
+       has_strength_ = false, has_strength_ratio_ = false;
+  Function k0_, k0_angle_, ocr_{1.0}, preoverburden_, strength_, strength_ratio_;
 };
 
 }  // namespace mudline

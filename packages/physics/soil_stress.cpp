@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "framework/linear_fit.hpp"
@@ -11,10 +13,13 @@ namespace mudline {
 
 namespace {
 
-/// Weights of the values at points in the value of their linear least squares fit at a position; those of the mean
-/// where the points do not span the space.
-std::vector<double> fit_weights(const std::vector<Point>& points, int dimension, const Point& at) {
+/// Weights of the values at an element's points in the value of their linear least squares fit at a position; those of
+/// the mean where the points do not span the space.
+std::vector<double> fit_weights(const Soil& soil, const State& state, int block, int element, const Point& at) {
   using Fit = LinearFit<3>;
+  std::vector<Point> points;
+  for (int q = 0; q < soil.blocks[block].points; ++q)
+    points.push_back(soil.blocks[block].place(element, q, state.coordinates));
   const double share = 1.0 / static_cast<double>(points.size());
   std::vector<double> weights(points.size(), share);
   Fit fit;
@@ -31,7 +36,7 @@ std::vector<double> fit_weights(const std::vector<Point>& points, int dimension,
     terms(x, t);
     fit.add(t, share);
   }
-  if (dimension == 2) fit.moments.a[3][3] = 1;
+  if (soil.space->mesh().dimension() == 2) fit.moments.a[3][3] = 1;
   if (!fit.finish()) return weights;
   constexpr double flat = 1e-8;  // relative pivot below which points count as lying in a plane or on a line
   for (int k = 0; k < Fit::most; ++k)
@@ -50,10 +55,7 @@ std::vector<double> fit_weights(const std::vector<Point>& points, int dimension,
 
 std::array<double, 6> total_stress(const Soil& soil, const State& state, int block, int element, const Point& at) {
   const SoilBlock& b = soil.blocks[block];
-  const int dimension = soil.space->mesh().dimension();
-  std::vector<Point> places;
-  for (int q = 0; q < b.points; ++q) places.push_back(b.place(element, q, state.coordinates));
-  const std::vector<double> weights = fit_weights(places, dimension, at);
+  const std::vector<double> weights = fit_weights(soil, state, block, element, at);
   const SoilPoints soil_at(soil, b, state);
   std::array<double, 6> result{};
   for (int q = 0; q < b.points; ++q) {
@@ -65,6 +67,19 @@ std::array<double, 6> total_stress(const Soil& soil, const State& state, int blo
     }
   }
   return result;
+}
+
+double undrained_strength(const Soil& soil, const State& state, int block, int element, const Point& at) {
+  const SoilBlock& b = soil.blocks[block];
+  const std::vector<double> weights = fit_weights(soil, state, block, element, at);
+  const SoilPoints soil_at(soil, b, state);
+  double result = 0;
+  for (int q = 0; q < b.points; ++q) {
+    const std::optional<double> here = soil_at.soil_state(element * b.points + q).undrained_strength;
+    if (!here) return std::numeric_limits<double>::quiet_NaN();
+    result += weights[q] * *here;
+  }
+  return std::max(0.0, result);
 }
 
 }  // namespace mudline

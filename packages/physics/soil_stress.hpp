@@ -11,4 +11,8 @@ namespace mudline {
 /// the space (one point).
 std::array<double, 6> total_stress(const Soil& soil, const State& state, int block, int element, const Point& at);
 
+/// Present undrained strength [Pa] of an element's soil, fitted alike and not below zero; not a number where the soil's
+/// law has none.
+double undrained_strength(const Soil& soil, const State& state, int block, int element, const Point& at);
+
 }  // namespace mudline

@@ -225,6 +225,9 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
                                  [this](const State& state, int block, int element, const Point& at) {
                                    return total_stress(*soil_, state, block, element, at);
                                  },
+                                 [this](const State& state, int block, int element, const Point& at) {
+                                   return undrained_strength(*soil_, state, block, element, at);
+                                 },
                                  remeshed_ != nullptr};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
     if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);

@@ -51,23 +51,6 @@ class Friction {
   Traction traction_ = Traction::effective;
 };
 
-/// strength = adhesion min(1, <normal> / full adhesion at) + coefficient <normal>, at most the cap. With a kinetic
-/// coefficient the coefficient follows the speed, kinetic + (coefficient - kinetic) exp(-rate / decay speed).
-class CoulombFriction : public Friction {
- public:
-  void parameters(Parameters& p);
-  void check(const Section& section) const;
-  ShearStrength strength(const FrictionPoint& at) const override;
-
- private:
-  double coefficient_ = 0, kinetic_ = 0;
-  double decay_speed_ = 0;  // [m/s] 0: one coefficient at all speeds
-  double adhesion_ = 0;
-  double full_adhesion_at_ = 0;  // [Pa] normal traction; 0: the adhesion is there as soon as the surface touches
-  bool capped_ = false;
-  Function cap_;
-};
-
 /// Declares the entry "friction" of a contact.
 void declare_friction(Parameters& p);
 

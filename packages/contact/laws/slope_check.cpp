@@ -74,6 +74,7 @@ TouchingSoil soil_of(const SoilQuantities& reads, bool pressed, double pore_pres
   soil.pore_pressure = reads.pore_pressure || pressed ? pore_pressure : TouchingSoil::unknown;
   if (reads.temperature) soil.temperature = 20;
   if (reads.mean_stress) soil.mean_stress = 1e5;
+  if (reads.undrained_strength) soil.undrained_strength = 2e4;
   return soil;
 }
 

@@ -10,11 +10,12 @@ struct TouchingSoil {
   double pore_pressure = 0;      // [Pa] compression positive, at the end of the step; 0 in soil without pore pressure
   double temperature = unknown;  // [degC] at the start of the step
   double mean_stress = unknown;  // [Pa] effective, compression positive: mean over the element behind, at the start
+  double undrained_strength = unknown;  // [Pa] of the element behind, at the contact point, at the start of the step
 };
 
 /// Quantities of TouchingSoil that a law reads. A contact that does not know one of them refuses the law.
 struct SoilQuantities {
-  bool pore_pressure = false, temperature = false, mean_stress = false;
+  bool pore_pressure = false, temperature = false, mean_stress = false, undrained_strength = false;
 };
 
 }  // namespace mudline

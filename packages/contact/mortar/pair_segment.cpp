@@ -175,7 +175,8 @@ TouchingSoil soil_between(const TouchingSoil (&corner)[side_multipliers], double
   const double from = 0.5 * (1 - xi), to = 0.5 * (1 + xi);
   return {from * corner[0].pore_pressure + to * corner[1].pore_pressure,
           from * corner[0].temperature + to * corner[1].temperature,
-          from * corner[0].mean_stress + to * corner[1].mean_stress};
+          from * corner[0].mean_stress + to * corner[1].mean_stress,
+          from * corner[0].undrained_strength + to * corner[1].undrained_strength};
 }
 
 template <class T>

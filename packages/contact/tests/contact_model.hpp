@@ -77,7 +77,7 @@ inline GlobalMesh box_in_space(const std::string& cell, const std::string& cells
 inline std::string space_xml() { return section_xml("mesh", text_parameter("geometry", geometry_in_space)); }
 
 /// A soil strip, one body and one contact, which the test takes through steps as a stepper would. `warm`: with
-/// temperature and effective stress.
+/// temperature, effective stress and undrained strength.
 struct ContactModel {
   ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
                std::function<double(int, int)> stiffness = {}, const std::string& type = "frictionless penalty",
@@ -101,9 +101,12 @@ struct ContactModel {
     normal_laws.add<ReadingNormalLaw>("reading", "Pressure that reads the soil");
     if (warm)  // a stress at two points per element
       store.declare(ArrayInfo::at_points("soil/effective stress", {{"effective stress", 6, "Pa"}}, mesh, 0, 2));
-    contact = registry.create(deck.deck.root().section("contacts").section("c"),
-                              {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
-                               [stress](const State&, int, int, const Point& at) { return stress(at); }});
+    std::function<double(const State&, int, int, const Point&)> strength;
+    if (warm) strength = [](const State&, int, int, const Point& at) { return 2000 + 500 * at[0]; };
+    contact = registry.create(
+        deck.deck.root().section("contacts").section("c"),
+        {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
+         [stress](const State&, int, int, const Point& at) { return stress(at); }, std::move(strength)});
     bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);

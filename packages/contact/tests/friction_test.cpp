@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "contact/laws/slope_check.hpp"
 #include "contact_model.hpp"
 #include "core/tests/input_error.hpp"
 
@@ -102,14 +103,17 @@ TEST(Friction, OpeningForgetsTheShearStressAndClosingCountsFromTouch) {
   EXPECT_NEAR(shear_rows(model, model.store.committed())(0, 0), 0.5e3, 1e-8);
 }
 
-TEST(Friction, AdhesionGrowsUpToItsNormalTraction) {
+/// A law by itself.
+std::unique_ptr<const Friction> law_of(const std::string& friction) {
   Registry<Friction> registry("friction");
   register_friction(registry);
   Deck deck;
-  deck.overlay(
-      section_xml("deck", coulomb(0.3, number_parameter("adhesion", 40) + number_parameter("full adhesion at", 200))),
-      "deck.xml");
-  const auto law = registry.create(deck.root().section("friction"));
+  deck.overlay(section_xml("deck", friction), "deck.xml");
+  return registry.create(deck.root().section("friction"));
+}
+
+TEST(Friction, AdhesionGrowsUpToItsNormalTraction) {
+  const auto law = law_of(coulomb(0.3, number_parameter("adhesion", 40) + number_parameter("full adhesion at", 200)));
   const auto strength = [&](double normal) {
     FrictionPoint at;
     at.normal = normal;
@@ -141,6 +145,72 @@ TEST(Friction, CoefficientFollowsTheSpeed) {
   EXPECT_NE(message(number_parameter("kinetic coefficient", 0.1)).find("needs a decay speed"), std::string::npos);
   EXPECT_NE(message(number_parameter("decay speed", 0.1)).find("only together with a 'kinetic coefficient'"),
             std::string::npos);
+}
+
+TEST(Friction, AdhesionFollowsTimeAndPlace) {
+  const auto law = law_of(coulomb(0, text_parameter("adhesion", "100*(1 - 0.5*t) - 20*y")));
+  const auto strength = [&](double time, double y) {
+    FrictionPoint at;
+    at.normal = 1e3;
+    at.time = time;
+    at.position = {0, y, 0};
+    return law->strength(at).value;
+  };
+  EXPECT_NEAR(strength(0, 0), 100, 1e-12);
+  EXPECT_NEAR(strength(1, -3), 110, 1e-12);
+  EXPECT_EQ(strength(4, 0), 0);  // what would be negative
+}
+
+TEST(Friction, CoefficientFallsWithTheSlip) {
+  const auto law =
+      law_of(coulomb(0.5, number_parameter("residual coefficient", 0.2) + number_parameter("residual slip", 0.01)));
+  EXPECT_TRUE(law->reads_slip());
+  EXPECT_FALSE(law_of(coulomb(0.5))->reads_slip());
+  for (const double slip : {0.0, 0.005, 0.01, 1.0}) {
+    FrictionPoint at;
+    at.normal = 2e3;
+    at.slip = slip;
+    const ShearStrength found = law->strength(at);
+    EXPECT_NEAR(found.value, (0.2 + 0.3 * std::exp(-slip / 0.01)) * 2e3, 1e-9) << slip;
+    EXPECT_NEAR(found.slope, found.value / 2e3, 1e-12);
+  }
+}
+
+TEST(Friction, AlphaLimitsByTheSoilsStrengthAndGrowsWithTheSpeed) {
+  const auto law =
+      law_of(coulomb(0.5, text_parameter("alpha", "0.4 + 0.1*x") + number_parameter("rate coefficient", 0.2) +
+                              number_parameter("reference speed", 1e-3)));
+  EXPECT_TRUE(law->reads().undrained_strength);
+  EXPECT_FALSE(law_of(coulomb(0.5))->reads().undrained_strength);
+  const auto at = [&](double normal, double rate) {
+    FrictionPoint point;
+    point.normal = normal;
+    point.rate = rate;
+    point.position = {1, 0, 0};
+    point.soil.undrained_strength = 10e3;
+    return law->strength(point);
+  };
+  EXPECT_NEAR(at(4e3, 0).value, 2e3, 1e-9);
+  EXPECT_NEAR(at(4e3, 0).slope, 0.5, 1e-12);
+  EXPECT_NEAR(at(40e3, 0).value, 5e3, 1e-9);
+  EXPECT_EQ(at(40e3, 0).slope, 0);
+  EXPECT_NEAR(at(40e3, 1e-3).value, 5e3, 1e-9);
+  EXPECT_NEAR(at(40e3, 0.1).value, 5e3 * 1.4, 1e-9);
+  EXPECT_NEAR(at(40e3, 0.1).rate_slope, 5e3 * 0.2 / (0.1 * std::log(10.0)), 1e-6);
+  EXPECT_EQ(slope_problem(*law), "");
+}
+
+TEST(Friction, EntriesThatGoTogether) {
+  const auto message = [](const std::string& more) { return input_error([&] { law_of(coulomb(0.3, more)); }); };
+  const auto has = [&](const std::string& more, const char* part) {
+    EXPECT_NE(message(more).find(part), std::string::npos) << message(more);
+  };
+  has(number_parameter("residual coefficient", 0.1), "needs a residual slip greater than 0 m");
+  has(number_parameter("residual slip", 0.1), "only together with a 'residual coefficient'");
+  has(number_parameter("alpha", 0.5) + number_parameter("rate coefficient", 0.1), "needs a reference speed greater");
+  has(number_parameter("alpha", 0.5) + number_parameter("reference speed", 0.1), "together with a 'rate coefficient'");
+  has(number_parameter("rate coefficient", 0.1) + number_parameter("reference speed", 0.1), "together with 'alpha'");
+  for (const char* entry : {"alpha", "adhesion", "cap"}) has(number_parameter(entry, -0.5), "must not be negative");
 }
 
 TEST(Friction, WhatALawThrowsComesOutOfTheContact) {

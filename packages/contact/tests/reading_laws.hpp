@@ -15,20 +15,22 @@ class ReadingFriction : public Friction {
     p.add("per pore pressure", pore, "-", non_negative(), "test");
     p.add("per degree", degree, "Pa", non_negative(), "test");
     p.add("per mean stress", mean, "-", non_negative(), "test");
+    p.add("per strength", strength_share, "-", non_negative(), "test");
     p.add("per slip", slip, "Pa/m", non_negative(), "test");
     interface_parameters(p);
   }
-  SoilQuantities reads() const override { return {pore != 0, degree != 0, mean != 0}; }
+  SoilQuantities reads() const override { return {pore != 0, degree != 0, mean != 0, strength_share != 0}; }
   bool reads_slip() const override { return slip != 0; }
   ShearStrength strength(const FrictionPoint& at) const override {
     double value = normal * at.normal;
     if (pore != 0) value += pore * at.soil.pore_pressure;
     if (degree != 0) value += degree * at.soil.temperature;
     if (mean != 0) value += mean * at.soil.mean_stress;
+    if (strength_share != 0) value += strength_share * at.soil.undrained_strength;
     if (slip != 0) value += slip * at.slip;
     return {value, normal, 0, pore};
   }
-  double normal = 0, pore = 0, degree = 0, mean = 0, slip = 0;
+  double normal = 0, pore = 0, degree = 0, mean = 0, strength_share = 0, slip = 0;
 };
 
 /// A law that throws when it is evaluated in a step.

@@ -46,7 +46,7 @@ TEST(TouchingSoil, IsWhatTheLawsOfABodySee) {
           contact_parameters(method, eps) + reading_normal_law(0.4) +
               reading_friction(total + number_parameter("per normal", 0.01) +
                                number_parameter("per pore pressure", 0.1) + number_parameter("per degree", 7) +
-                               number_parameter("per mean stress", 0.2)),
+                               number_parameter("per mean stress", 0.2) + number_parameter("per strength", 0.3)),
           {}, "penalty", Support::vertices, true);
       fill(model);
       model.begin(1);
@@ -58,9 +58,11 @@ TEST(TouchingSoil, IsWhatTheLawsOfABodySee) {
         const int element = row / per_side;
         const double pressure = eps * depth + 0.4 * pore;
         EXPECT_NEAR(points(row, 1), pressure, 1e-8);
-        const double rest = std::abs(shear(row, 0)) - 0.01 * pressure - 0.1 * pore - 0.2 * 1000 * (element + 1);
-        EXPECT_GE(rest, 7 * (3 + 2 * 0.5 * element) - 1e-8) << method << row;  // temperatures of this side
-        EXPECT_LE(rest, 7 * (3 + 2 * 0.5 * (element + 1)) + 1e-8) << method << row;
+        const double rest =
+            std::abs(shear(row, 0)) - 0.01 * pressure - 0.1 * pore - 0.2 * 1000 * (element + 1) - 0.3 * 2000;
+        const double left = 0.5 * element, per_metre = 7 * 2 + 0.3 * 500;  // of temperature and strength
+        EXPECT_GE(rest, 7 * 3 + per_metre * left - 1e-8) << method << row;
+        EXPECT_LE(rest, 7 * 3 + per_metre * (left + 0.5) + 1e-8) << method << row;
         EXPECT_EQ(shear(row, 3), 1);
       }
       double mean = 0, area = 0;
@@ -68,7 +70,8 @@ TEST(TouchingSoil, IsWhatTheLawsOfABodySee) {
         mean += points(row, 5) * std::abs(shear(row, 0));
         area += points(row, 5);
       }
-      EXPECT_NEAR(mean / area, 0.01 * (eps * depth + 0.4 * pore) + 0.1 * pore + 0.2 * 2500 + 7 * (3 + 2 * 1.0), 1e-7);
+      EXPECT_NEAR(mean / area,
+                  0.01 * (eps * depth + 0.4 * pore) + 0.1 * pore + 0.2 * 2500 + 0.3 * 2500 + 7 * (3 + 2 * 1.0), 1e-7);
       model.view.flow = false;  // the heat of friction has no derivatives
       EXPECT_LT(jacobian_error(model), 1e-6);
       EXPECT_LT(jacobian_error(model, Moved::pressures), 1e-6);
@@ -92,10 +95,11 @@ std::string two_sides(const std::string& more) {
 
 TEST(TouchingSoil, IsWhatTheLawsOfTwoSurfacesSee) {
   for (const std::string type : {"node to segment", "mortar"}) {
-    ContactModel model(Geometry::plane_strain, two_cells(), plate,
-                       two_sides(reading_friction(total + number_parameter("per degree", 7) +
-                                                  number_parameter("per mean stress", 0.2))),
-                       {}, type, Support::vertices, true);
+    ContactModel model(
+        Geometry::plane_strain, two_cells(), plate,
+        two_sides(reading_friction(total + number_parameter("per degree", 7) +
+                                   number_parameter("per mean stress", 0.2) + number_parameter("per strength", 0.3))),
+        {}, type, Support::vertices, true);
     fill(model);
     model.begin(1);
     for (int node = 0; node < model.mesh.num_nodes(); ++node)
@@ -109,7 +113,8 @@ TEST(TouchingSoil, IsWhatTheLawsOfTwoSurfacesSee) {
         model.store.trial().arrays[model.store.find(mortar ? "contact/c/sides" : "contact/c/friction")];
     for (int row = 0; row < 2; ++row) {
       EXPECT_NEAR(rows(row, 1), eps * depth, 1e-6) << type;
-      EXPECT_NEAR(std::abs(shear(row, mortar ? 2 : 0)), 7 * (3 + 2 * row) + 0.2 * 2000, 1e-6) << type << row;
+      EXPECT_NEAR(std::abs(shear(row, mortar ? 2 : 0)), 7 * (3 + 2 * row) + 0.2 * 2000 + 0.3 * (2000 + 500 * row), 1e-6)
+          << type << row;
     }
   }
 }
@@ -144,6 +149,8 @@ TEST(TouchingSoil, WhatAContactCannotTellIsRefused) {
       "contacts/c/friction/type: this law reads the soil's temperature");
   has(message(flat, "penalty", contact_parameters("nodes", eps) + with("per mean stress"), false),
       "contacts/c/friction/type: this law reads the soil's effective stress");
+  has(message(flat, "penalty", contact_parameters("nodes", eps) + with("per strength"), false),
+      "contacts/c/friction/type: this law reads the soil's undrained strength");
   has(message(two_cells(), "mortar", two_sides(with("per slip")), false),
       "contacts/c/friction/type: this law reads the path");
   has(message(two_cells(), "mortar", two_sides(with("per pore pressure")), false),

@@ -54,6 +54,12 @@ std::string Tresca::initialise(const InitialPoint& point, double* state) const {
   return "";
 }
 
+SoilState Tresca::soil_state(const double*, double, const double* state) const {
+  TrescaModel<double> model{{}, shape_, state[strength_here], 1.0 / sensitivity, ductility, state[strength_here]};
+  double slope;
+  return {model.strength * model.remaining(state[plastic_shear_strain], slope), {}};
+}
+
 template class PointwiseSkeleton<AutomaticTangent<Tresca>>;
 
 }  // namespace mudline

@@ -41,7 +41,8 @@ struct Tresca {
   void prepare() { shape_ = LodeShape::mohr_coulomb(0.0, transition); }
   static std::vector<StateVariable> state();
   std::string initialise(const InitialPoint& point, double* state) const;
-  SoilState soil_state(const double*, double, const double* state) const { return {state[strength_here], {}}; }
+  /// The strength at the reference rate that remoulding has left.
+  SoilState soil_state(const double*, double, const double* state) const;
   EarthPressures earth_pressures(double vertical, double height) const {
     return rankine_earth_pressures(vertical, 0.0, strength.at(height));
   }

@@ -92,6 +92,7 @@ TEST(Tresca, SoftensAsInClosedForm) {
     const double xi = shear.state[1];
     EXPECT_NEAR(xi, 2.0 - shear.stress[5] / 2e6, 1e-8);
     EXPECT_NEAR(shear.stress[5], 20e3 * (0.25 + 0.75 * std::exp(-3 * xi / 2.0)), 1e-8 * 20e3);
+    EXPECT_NEAR(*law.soil_state(shear.stress, 1.0, shear.state).undrained_strength, shear.stress[5], 1e-8 * 20e3);
     shear.run(law, 0.05, 0.0, 200);
     EXPECT_NEAR(shear.stress[5], 5e3, 1e-3);
   }

@@ -33,6 +33,25 @@ TEST(SoilStress, IsExactWhereItIsLinearAndHasTheWaterInIt) {
   }
 }
 
+TEST(SoilStress, UndrainedStrengthIsExactWhereItIsLinear) {
+  const std::string clay = section_xml(
+      "clay", number_parameter("porosity", 0.4) + number_parameter("grain density", 2600) +
+                  section_xml("skeleton",
+                              text_parameter("type", "tresca") + number_parameter("undrained strength", 9e3) +
+                                  number_parameter("undrained strength gradient", 2e3) +
+                                  number_parameter("reference elevation", 3) + number_parameter("rigidity index", 100) +
+                                  number_parameter("Poisson's ratio", 0.49)) +
+                  section_xml("fluid", text_parameter("type", "water")) +
+                  section_xml("permeability",
+                              text_parameter("type", "constant") + number_parameter("hydraulic conductivity", 1e-9)));
+  SoilModel model("", "", SoilModel::box("plane strain"), clay);
+  const State& state = model.store->committed();
+  for (const Point& at : {Point{1, 0, 0}, Point{2, 1, 0}, Point{1.5, 0.3, 0}})
+    EXPECT_NEAR(undrained_strength(*model.soil, state, 0, 0, at), 9e3 + 2e3 * (3 - at[1]), 1e-6);
+  SoilModel without("", "", SoilModel::box("plane strain"));
+  EXPECT_TRUE(std::isnan(undrained_strength(*without.soil, without.store->committed(), 0, 0, {1, 0, 0})));
+}
+
 TEST(SoilStress, OfOnePointIsThatPoints) {
   SoilModel model("", "<Parameter name=\"quadrature degree\" type=\"int\" value=\"1\"/>\n",
                   SoilModel::box("plane strain"));

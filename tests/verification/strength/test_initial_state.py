@@ -83,6 +83,80 @@ class Layers(StrengthCase):
             self.assertIn(what, done.stderr)
 
 
+class FromStrength(StrengthCase):
+    """The clay between sand and gravel by its undrained strength, M/2 p (pc/2p)^Lambda, or by that over the vertical stress."""
+    START = "physics/ground/initial state/"
+
+    def layers(self, entry, value):
+        with open(self.deck("initial_state", "layers"), encoding="utf-8") as file:
+            text = file.read()
+        lost = '<Parameter name="preoverburden pressure" type="double" value="50e3"/>'
+        self.assertIn(lost, text)
+        return self.write("layers.xml", text.replace(lost, f'<Parameter name="{entry}" type="string" value="{value}"/>'))
+
+    def preconsolidation(self, y, strength):
+        """pc [Pa] for which the clay has this strength at the height y."""
+        def state(ratio):
+            sine, v = np.sin(np.radians(25)), vertical(y)
+            h = (1 - sine) * ratio ** sine * v
+            p, q = (v + 2 * h) / 3, v - h
+            return p, ratio * (p + q * q / p)
+
+        def lacks(ratio):
+            p, pc = state(ratio)
+            return 0.5 * p * (pc / (2 * p)) ** 0.8 / strength(y) - 1
+
+        return state(brentq(lacks, 1.0, 100.0, xtol=1e-13))[1]
+
+    def test_strength_and_its_ratio(self):
+        for entry, value, strength in (("undrained strength", "5e3 - 4e3*y", lambda y: 5e3 - 4e3 * y),
+                                       ("undrained strength ratio", "0.4 + 0.02*y", lambda y: (0.4 + 0.02 * y) * vertical(y))):
+            for ranks in (1, 2):
+                self.run_deck(self.layers(entry, value), ranks=ranks, extra=("--overwrite",))
+                with h5py.File(os.path.join(self.folder, "results", "layers.h5"), "r") as file:
+                    cells = file["mesh/topology"][:].reshape(-1, 10)[:, 1:]
+                    y = file["mesh/coordinates"][:, 1][cells[:, :4]].mean(axis=1)
+                    found = file["steps"][sorted(file["steps"])[-1]]["cell"]["preconsolidation_pressure"][:].ravel()
+                clay = (y > -5) & (y < -2)
+                self.assertEqual(clay.sum(), 12)
+                for height, pc in zip(y[clay], found[clay]):
+                    exact = mean_over_cell(lambda at: self.preconsolidation(at, strength), height, 0.5, POINTS)
+                    self.assertAlmostEqual(pc / exact, 1, delta=1e-6)
+
+    def test_refusals(self):
+        deck = self.layers("undrained strength", "20e3")
+        for settings, words in (
+                (("undrained strength=1e3",), "an undrained strength of 1000 Pa is less than that of normally consolidated soil, "),
+                (("undrained strength=-1e3",), "the undrained strength must be positive"),
+                (("undrained strength=9e9",), "what the strength of 'modified cam clay' under sigma'_v = "),
+                (("overconsolidation ratio=2",), "undrained strength: give either this or 'overconsolidation ratio', not both"),
+                (("undrained strength ratio=0.3",), "undrained strength ratio: give either this or 'undrained strength', not both"),
+                (("type=uniform", "undrained strength ratio=0.3"), "give either this"),
+                (("type=stress free",), "without stress there is no overconsolidation; give the strength in 'skeleton'")):
+            with self.subTest(settings=settings):
+                arguments = [word for setting in settings for word in ("--set", self.START + setting)]
+                done = program(["check", deck, *arguments], 1, self.folder)
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertIn(words, done.stderr)
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1)
+
+    def test_soils_whose_strength_is_another_matter(self):
+        for skeleton, words in (({"type": "linear elastic", "Young's modulus": 1e8, "Poisson's ratio": 0.3},
+                                 "undrained strength: no soil of this model has a law with an undrained strength"),
+                                ({"type": "tresca", "undrained strength": 1e4, "rigidity index": 100.0, "Poisson's ratio": 0.49},
+                                 "the undrained strength of the law 'tresca' does not follow from an overconsolidation ratio")):
+            deck = self.write("column.xml", deck_text("column", {
+                "mesh": {"type": "box", "cell": "quad9", "cells": [1, 2], "upper": [1.0, 2.0]},
+                "materials": {"clay": {"density": 1800.0, "skeleton": skeleton}},
+                "physics": {"ground": {"type": "solid", "initial state": {
+                    "type": "uniform", "undrained strength": 2e4, **{f"effective stress {axes}": 5e4 for axes in ("xx", "yy", "zz")}}}},
+                "boundary conditions": {"base": {"type": "fixed", "set": "bottom"}},
+                "stages": {"wait": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}}))
+            done = program(["check", deck], 1, self.folder)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(words, done.stderr)
+
+
 class VoidRatioFromLaw(StrengthCase):
     """v = N - lambda ln(pc/1 kPa) + kappa ln(pc/p') under water: d sigma'_v/d depth = (rho_s - rho_f) g/v. With v = A - lambda ln(sigma'_v),
     depth = [(A + lambda) sigma'_v - lambda sigma'_v ln(sigma'_v)] / ((rho_s - rho_f) g) from the surface on."""

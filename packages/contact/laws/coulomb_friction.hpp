@@ -1,0 +1,34 @@
+#pragma once
+
+#include "contact/laws/friction.hpp"
+
+namespace mudline {
+
+/// strength = adhesion min(1, <normal> / full adhesion at) + coefficient <normal>, at most the cap and at most
+/// alpha s_u R, with the present undrained strength s_u of the touching soil (the alpha method of pile design).
+///     slip   the coefficient falls from the peak to the residual one by exp(-slip / residual slip)
+///     speed  with a kinetic coefficient: kinetic + (coefficient - kinetic) exp(-rate / decay speed)
+///     rate   R = 1 + rate coefficient log10(rate / reference speed), at least 1
+class CoulombFriction : public Friction {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section) const;
+  ShearStrength strength(const FrictionPoint& at) const override;
+  SoilQuantities reads() const override;
+  bool reads_slip() const override { return residual_slip_ > 0; }
+
+ private:
+  /// Adds a limit to the strength: alpha times the touching soil's undrained strength.
+  ShearStrength limited_by_soil(const ShearStrength& strength, const FrictionPoint& at) const;
+
+  double coefficient_ = 0, kinetic_ = 0, residual_ = 0;
+  double decay_speed_ = 0;    // [m/s] 0: one coefficient at all speeds
+  double residual_slip_ = 0;  // [m] 0: no residual coefficient
+  Function adhesion_;
+  double full_adhesion_at_ = 0;  // [Pa] normal traction; 0: the adhesion is there as soon as the surface touches
+  bool capped_ = false, by_soil_ = false;
+  Function cap_, alpha_;
+  double rate_coefficient_ = 0, reference_speed_ = 0;  // [-], [m/s]
+};
+
+}  // namespace mudline
