@@ -15,9 +15,9 @@ namespace mudline {
 ///                   a = (3 - sin phi)/(3 + sin phi), sin phi = 3M/(6+M); S = -1 in triaxial compression
 ///                   (Sheng, Sloan & Yu 2000, Computational Mechanics 26:185)
 ///     CASM          by option the yield surface is f = ln(p'/pc) + ln(r) (q/(M(S) p'))^n = 0, non-associated: the flow
-///                   is normal to the ellipse through the stress. At the critical state pc = r p' (Yu 1998, Int. J.
-///                   Numer. Anal. Meth. Geomech. 22:621, there with Rowe's flow; with this one Yu 2006, Plasticity and
-///                   Geotechnics). n = 2 and more, so that the surface is smooth at q = 0.
+///                   is normal to the ellipse through the stress, which has a direction at q = 0. At the critical state
+///                   pc = r p' (surface: Yu 1998, Int. J. Numer. Anal. Meth. Geomech. 22:621, who takes Rowe's flow).
+///                   n = 2 and more, so that the surface is smooth at q = 0.
 /// Stress integration and tangent: substepping.hpp or implicit_return.hpp. Code: tension positive, [Pa].
 /// The mean effective stress does not fall below `minimum_mean_stress` (a tension cut-off): there p' is set to it, pc
 /// and q are adjusted to the yield surface, and the tangent is the elastic one.

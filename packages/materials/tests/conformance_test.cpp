@@ -121,7 +121,7 @@ std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   Teuchos::ParameterList casm(plain), casm_sheng(constant_shear), casm_implicit(implicit);
   casm.set("spacing ratio", 2.3);
   casm_sheng.set("lode dependence", "sheng").set("spacing ratio", 2.7).set("stress state coefficient", 3.0);
-  casm_implicit.set("spacing ratio", 2.7).set("stress state coefficient", 4.5);
+  casm_implicit.set("spacing ratio", 2.7).set("stress state coefficient", 3.0);
   fifth_order.set("integration", "runge-kutta-dormand-prince");
   return {{"linear elastic", {elastic}},
           {"modified cam clay", {plain, sheng, constant_shear, implicit, fifth_order, casm, casm_sheng, casm_implicit}},
