@@ -1,9 +1,9 @@
 """Triaxial tests on Modified Cam Clay with the yield surface of CASM (Yu 1998), by quadrature over the stress ratio.
 
 Compression positive, logarithmic strain, dv = -v deps_v, K = v p'/kappa, G = g K, eta = q/p'. On the surface
-pc = p' r^((eta/M)^n); pc grows by deps_v^p v/(lambda - kappa); flow of the ellipse, deps_q^p = deps_v^p 2 eta/(M^2 - eta^2).
-Undrained, v stays and with it p'^kappa pc^(lambda - kappa). Drained, q = 3 (p' - p'0). In both eta alone gives p' and v,
-so strains are integrals over eta. Stresses in the unit of p0."""
+pc = p' r^((eta/M)^n); d ln pc = deps_v^p v/(lambda - kappa); flow of the ellipse, deps_q^p = deps_v^p 2 eta/(M^2 -
+eta^2). Undrained, v stays and with it p'^kappa pc^(lambda - kappa). Drained, q = 3 (p' - p'0). In both eta alone gives
+p' and v, so strains are integrals over eta. Stresses in the unit of p0."""
 import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq

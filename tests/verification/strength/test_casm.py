@@ -1,5 +1,5 @@
-"""Modified Cam Clay with the yield surface of CASM through `mudline point`, against quadrature (references/casm.py), and
-the expansion of a cavity in overconsolidated clay against the exact similarity solution."""
+"""Modified Cam Clay with the yield surface of CASM: triaxial tests against quadrature (references/casm.py), and the
+expansion of a cavity in overconsolidated clay against the exact similarity solution."""
 import unittest
 
 import numpy as np
@@ -54,9 +54,10 @@ class Triaxial(CavityCase):
                             self.assertAlmostEqual(h["volumetric strain"][row], v, delta=TOLERANCE * 0.02)
 
     def test_drained_softening_ends_at_the_critical_state(self):
-        """OCR 10: a peak, then q = M p' on p' = p'0 + q/3, at the volume v = N - (lambda - kappa) ln r - lambda ln p'."""
+        """OCR 10: a peak, then q = M p' on p' = p'0 + q/3, at the volume of pc = r p'."""
         r, n = SHAPES["kaolin"]
-        h = self.point({"soft": test("drained", 10, **{"axial strain": [1.5], "steps": 1500})}, {**CLAY, **surface(r, n)})["soft"]
+        one = test("drained", 10, **{"axial strain": [1.5], "steps": 1500})
+        h = self.point({"soft": one}, {**CLAY, **surface(r, n)})["soft"]
         p, q = h["mean effective stress"][-1] / KPA, h["deviatoric stress"] / KPA
         self.close("p'", p, 100 / (1 - M / 3), 1e-3)
         self.assertGreater(q.max(), 1.2 * q[-1])
@@ -65,12 +66,14 @@ class Triaxial(CavityCase):
         self.close("v", 1 + h["void ratio"][-1], critical, 1e-4)
 
     def test_undrained_strength_is_what_the_law_says(self):
-        """mudline point --profile and the plausibility checks show that strength: M/2 p' (pc/(r p'))^(1 - kappa/lambda)."""
+        """`mudline point --profile` and the plausibility checks show it: M/2 p' (pc/(r p'))^(1 - kappa/lambda)."""
         for shape, (r, n) in SHAPES.items():
-            h = self.point({str(ocr): test("undrained", ocr, **{"axial strain": [1.0], "steps": 400}) for ocr in (1, 4, 15)},
-                           {**CLAY, **surface(r, n)})
+            far = {"axial strain": [1.0], "steps": 400}
+            tests = {str(ocr): test("undrained", ocr, **far) for ocr in (1, 4, 15)}
+            h = self.point(tests, {**CLAY, **surface(r, n)})
             for ocr in (1, 4, 15):
-                self.close(f"{shape}, OCR {ocr}", h[str(ocr)]["deviatoric stress"][-1], self.soil(shape, ocr).critical_undrained() * KPA, 1e-4)
+                exact = self.soil(shape, ocr).critical_undrained() * KPA
+                self.close(f"{shape}, OCR {ocr}", h[str(ocr)]["deviatoric stress"][-1], exact, 1e-4)
 
     def test_one_dimensional_compression_keeps_the_k0_of_the_law(self):
         """K0 follows from the flow, which is that of Modified Cam Clay, and so does the K0 line; v falls by lambda."""
@@ -91,7 +94,8 @@ class Triaxial(CavityCase):
         path = {"type": "triaxial drained", "axial strain": [-0.1, 0.6], "steps": 40, "initial state": start}
         for method in ("modified euler", "runge-kutta-dormand-prince", "implicit"):
             for r, n in SHAPES.values():
-                h = self.point({"there and back": path}, {**CLAY, **surface(r, n), "integration": method})["there_and_back"]
+                law = {**CLAY, **surface(r, n), "integration": method}
+                h = self.point({"back": path}, law)["back"]
                 self.assertTrue(np.isfinite(h["deviatoric stress"]).all())
                 self.close(method, h["deviatoric stress"][-1], M * h["mean effective stress"][-1], 0.05)
 
