@@ -23,7 +23,7 @@ class Casm:
         return 2 * eta / (self.M ** 2 - eta ** 2)
 
     def along(self, rate, start, eta):
-        return quad(rate, start, eta, epsabs=1e-14, epsrel=1e-10, limit=400)[0]
+        return quad(rate, start, eta, epsabs=1e-11, epsrel=1e-9, limit=400)[0]
 
     def ratio_at(self, strain, start, axial):
         """The stress ratio between that of first yield and M at an axial strain."""
