@@ -34,10 +34,12 @@ def measured(name):
     return {test: {column: np.array(values) for column, values in columns.items()} for test, columns in tests.items()}
 
 
-def computed(path, deck, tests, columns):
-    """{test: {column: values}} of whole curves. `columns`: {column: (that of the program's file, factor)}."""
+def computed(path, deck, tests, columns, changes=()):
+    """{test: {column: values}} of whole curves. `columns`: {column: (that of the program's file, factor)}. `changes`:
+    entries of the deck with other values, as for --set."""
     with tempfile.TemporaryDirectory() as folder:
-        settings = ["--set", f"output/folder={folder}", "--set", "output/name=test"]
+        changes = [f"output/folder={folder}", "output/name=test", *changes]
+        settings = [word for change in changes for word in ("--set", change)]
         subprocess.run([path, "point", "-q", input_file(deck), *settings], check=True)
         curves = {}
         for test in tests:

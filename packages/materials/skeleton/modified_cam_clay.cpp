@@ -30,6 +30,11 @@ void ModifiedCamClay::parameters(Parameters& p) {
         "volume");
   p.add("reference pressure", reference_pressure, "Pa", positive(),
         "Mean effective stress at which the normal compression or critical state volume is read");
+  p.add("spacing ratio", spacing, "-", non_negative(),
+        "r of the yield surface of CASM: preconsolidation pressure over mean stress at the critical state; without it "
+        "the surface is the ellipse, where the ratio is 2");
+  p.add("stress state coefficient", exponent, "-", closed(2.0, 5.0),
+        "n, shape of the yield surface of CASM; larger: lower peaks on the dry side");
   p.add("minimum mean stress", minimum_mean_stress, "Pa", non_negative(),
         "The mean effective stress is held at this value where the soil would loosen further");
   integration.parameters(p, "the preconsolidation pressure squared");
@@ -50,6 +55,12 @@ void ModifiedCamClay::check(const Section& section) const {
   if (section.has_parameter("reference pressure") && !(normal_line() > 0.0))
     section.fail("plays no role without 'normal compression volume' or 'critical state volume'; remove it",
                  "reference pressure");
+  if (section.has_parameter("spacing ratio") && !(spacing > 1.0))
+    section.fail(
+        "the preconsolidation pressure is greater than the mean stress at the critical state; give more than 1",
+        "spacing ratio");
+  if (section.has_parameter("stress state coefficient") && !(spacing > 0.0))
+    section.fail("plays no role without 'spacing ratio'; remove it", "stress state coefficient");
   if (section.has_parameter("shear modulus") && !(shear_modulus > 0.0))
     section.fail("the shear modulus must be positive", "shear modulus");
   if (lode == Lode::sheng && ratio > 2.0)
@@ -77,7 +88,7 @@ std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state
     reason << "the initial void ratio must be positive; it is " << point.void_ratio;
   }
   if (!reason.str().empty()) return reason.str();
-  const double on_surface = through(point), normal = normal_line();
+  const double on_surface = through(point.stress.data()), normal = normal_line();
   state[preconsolidation] = point.overconsolidation_ratio * on_surface;
   if (normal > 0.0) {
     const double v = 1.0 + point.void_ratio;
@@ -100,21 +111,26 @@ std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state
 }
 
 double ModifiedCamClay::normal_line() const {
-  return critical_volume > 0.0 ? critical_volume + (compression - swelling) * std::log(2.0) : normal_volume;
+  return critical_volume > 0.0 ? critical_volume + (compression - swelling) * std::log(critical_spacing())
+                               : normal_volume;
 }
 
-double ModifiedCamClay::through(const InitialPoint& point) const {
+double ModifiedCamClay::through(const double* stress) const {
   // f with pc = 0 is q^2/M(S)^2 + p'^2 in units of 1/scale, that is p' times the pc of the surface through the stress.
-  const double p = sym6::mean_pressure(point.stress.data());
+  const double p = sym6::mean_pressure(stress);
+  if (spacing > 0.0) {  // f with pc = p' is what ln pc adds to ln p'
+    const double h[2] = {p, 0.0};
+    return p * std::exp(CasmModel<SixComponents>(*this, {}, 1.0, p).yield(stress, h));
+  }
   const ModifiedCamClayModel<SixComponents> model(*this, {}, 1.0, p);
   const double h[2] = {0.0, 0.0};
-  return p * model.yield(point.stress.data(), h);
+  return p * model.yield(stress, h);
 }
 
 double ModifiedCamClay::void_ratio(const InitialPoint& point) const {
   const double p = sym6::mean_pressure(point.stress.data());
   if (!(normal_line() > 0.0) || !(p > 0.0)) return Skeleton::no_void_ratio;
-  const double pc = point.overconsolidation_ratio * through(point);
+  const double pc = point.overconsolidation_ratio * through(point.stress.data());
   return normal_line() - compression * std::log(pc / reference_pressure) + swelling * std::log(pc / p) - 1.0;
 }
 
@@ -136,8 +152,10 @@ double ModifiedCamClay::k0(double overconsolidation_ratio) const {
 SoilState ModifiedCamClay::soil_state(const double* stress, double, const double* state) const {
   double s[6];
   const double p = std::max(sym6::deviator(stress, s), minimum_mean_stress), pc = state[preconsolidation];
-  const double q2 = 1.5 * sym6::norm_squared(s), through_stress = p + q2 / (ratio * ratio * p);
-  return {0.5 * ratio * p * std::pow(0.5 * pc / p, (compression - swelling) / compression), pc / through_stress};
+  const double q2 = 1.5 * sym6::norm_squared(s),
+               through_stress = spacing > 0.0 ? through(stress) : p + q2 / (ratio * ratio * p);
+  const double to_critical = pc / (critical_spacing() * p);
+  return {0.5 * ratio * p * std::pow(to_critical, (compression - swelling) / compression), pc / through_stress};
 }
 
 EarthPressures ModifiedCamClay::earth_pressures(double vertical, double) const {

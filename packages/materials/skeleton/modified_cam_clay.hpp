@@ -1,6 +1,7 @@
 #pragma once
 
 #include "materials/automatic_tangent.hpp"
+#include "materials/embedded_steps.hpp"
 
 namespace mudline {
 
@@ -13,6 +14,10 @@ namespace mudline {
 ///     Lode measure  M(S) = M [2 a^4/(1 + a^4 + (1 - a^4) S)]^(1/4), by option,
 ///                   a = (3 - sin phi)/(3 + sin phi), sin phi = 3M/(6+M); S = -1 in triaxial compression
 ///                   (Sheng, Sloan & Yu 2000, Computational Mechanics 26:185)
+///     CASM          by option the yield surface is f = ln(p'/pc) + ln(r) (q/(M(S) p'))^n = 0, non-associated: the flow
+///                   is normal to the ellipse through the stress, which has a direction at q = 0. At the critical state
+///                   pc = r p' (surface: Yu 1998, Int. J. Numer. Anal. Meth. Geomech. 22:621, who takes Rowe's flow).
+///                   n = 2 and more, so that the surface is smooth at q = 0.
 /// Stress integration and tangent: substepping.hpp or implicit_return.hpp. Code: tension positive, [Pa].
 /// The mean effective stress does not fall below `minimum_mean_stress` (a tension cut-off): there p' is set to it, pc
 /// and q are adjusted to the yield surface, and the tangent is the elastic one.
@@ -30,6 +35,8 @@ struct ModifiedCamClay {
   double normal_volume = 0.0;          // [-] N; used if positive
   double critical_volume = 0.0;        // [-] Gamma, instead of N
   double reference_pressure = 1000.0;  // [Pa] at which N and Gamma are read
+  double spacing = 0.0;                // [-] r of CASM; 0: the ellipse, where it is 2
+  double exponent = 2.0;               // [-] n of CASM
   Lode lode = Lode::none;
   Volume volume = Volume::current;
   IntegrationOptions integration;
@@ -37,22 +44,23 @@ struct ModifiedCamClay {
   void parameters(Parameters& p);
   void check(const Section& section) const;
   static std::vector<StateVariable> state();
-  /// pc = R (p' + q^2/(M^2 p')): the yield surface through the initial stress, scaled by the overconsolidation ratio R.
+  /// pc = R (p' + q^2/(M^2 p')), or R p' r^((q/(M p'))^n): the yield surface through the initial stress, scaled by the
+  /// overconsolidation ratio R.
   /// With N, the specific volume at p' = p_ref on the isotropic normal compression line v = N - lambda ln(p'/p_ref), pc
   /// follows from the initial stress and void ratio instead: ln(pc/p_ref) = (N - v - kappa ln(p'/p_ref))/(lambda -
   /// kappa).
   std::string initialise(const InitialPoint& point, double* state) const;
   /// Void ratio from the pc that belongs to stress and overconsolidation ratio: v = N - lambda ln(pc/p_ref) + kappa
-  /// ln(pc/p'). `no_void_ratio` without N. Gamma is v on the critical state line at p_ref, where pc = 2 p', so that N =
-  /// Gamma + (lambda - kappa) ln 2.
+  /// ln(pc/p'). `no_void_ratio` without N. Gamma is v on the critical state line at p_ref, where pc = r p', so that N =
+  /// Gamma + (lambda - kappa) ln r, r = 2 for the ellipse.
   double void_ratio(const InitialPoint& point) const;
   /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the limit of the stress ratio
   /// in one-dimensional virgin compression: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g =
-  /// G/K, K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. Here R is
-  /// the ratio of vertical stresses.
+  /// G/K, K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. The flow
+  /// decides, so it is the same for both surfaces. Here R is the ratio of vertical stresses.
   double k0(double overconsolidation_ratio) const;
-  /// Undrained strength in triaxial compression from the present stress: s_u = M/2 p' (pc/(2 p'))^((lambda -
-  /// kappa)/lambda) (Wood 1990, ch. 7).
+  /// Undrained strength in triaxial compression from the present stress, that of the critical state: s_u = M/2 p'
+  /// (pc/(r p'))^((lambda - kappa)/lambda), r = 2 for the ellipse (Wood 1990, ch. 7).
   SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
   /// Earth pressures at the critical state.
   EarthPressures earth_pressures(double vertical, double) const;
@@ -75,6 +83,10 @@ struct ModifiedCamClay {
                                          SkeletonResponse& out) const;
 
  private:
+  /// Update by the model of the chosen yield surface.
+  template <class Space, class T>
+  KOKKOS_INLINE_FUNCTION bool integrate(const Space& space, double specific_volume, const T* strain, T* stress,
+                                        T* h) const;
   /// Update with a Lode measure, in all six components.
   template <class T>
   KOKKOS_INLINE_FUNCTION bool update_six_components(const double* start, const double* h, double specific_volume,
@@ -86,8 +98,10 @@ struct ModifiedCamClay {
   KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
   /// N, given or from Gamma; 0 if neither is given.
   double normal_line() const;
+  /// pc/p' at the critical state.
+  KOKKOS_INLINE_FUNCTION double critical_spacing() const { return spacing > 0.0 ? spacing : 2.0; }
   /// pc of the yield surface through a stress [Pa].
-  double through(const InitialPoint& point) const;
+  double through(const double* stress) const;
 };
 
 /// The model of the law for stress integration over one increment. h = (pc, plastic shear strain).
@@ -125,16 +139,24 @@ struct ModifiedCamClayModel {
     return has_third_invariant && law.lode == ModifiedCamClay::Lode::sheng && q_squared * scale > 1e-24;
   }
 
+  /// Returns p' and computes q^2 M^2/M(S)^2.
   template <class T>
-  KOKKOS_INLINE_FUNCTION T yield(const T* stress, const T* h) const {
+  KOKKOS_INLINE_FUNCTION T invariants(const T* stress, T& q2) const {
     T s[N];
     const T p = space.deviator(stress, s);
-    T q2 = 1.5 * space.norm_squared(s);
+    q2 = 1.5 * space.norm_squared(s);
     if constexpr (has_third_invariant)
       if (has_lode(value(q2))) {
         T slope;
         q2 *= shape(13.5 * sym6::determinant(s) / (q2 * square_root(q2)), slope);
       }
+    return p;
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T yield(const T* stress, const T* h) const {
+    T q2;
+    const T p = invariants(stress, q2);
     return scale * (inverse_m2 * q2 + p * (p - h[0]));
   }
 
@@ -229,28 +251,87 @@ struct ModifiedCamClayModel {
   }
 };
 
-/// Where p' is below the minimum: sets it there and returns true. pc is at least twice the minimum, so that the surface
-/// leaves room for shear, and q is reduced to the surface (inside it for every Lode angle: a^2 <= M(S)^2/M^2).
+/// The same with the yield surface of CASM. x = (q/(M(S) p'))^2.
+template <class Space>
+struct CasmModel : ModifiedCamClayModel<Space> {
+  using Ellipse = ModifiedCamClayModel<Space>;
+  using Ellipse::N;
+  static constexpr bool associated = false;
+
+  double spread;  // [-] ln(r)
+
+  KOKKOS_INLINE_FUNCTION CasmModel(const ModifiedCamClay& l, const Space& how, double specific_volume, double pc)
+      : Ellipse(l, how, specific_volume, pc), spread(::log(l.spacing)) {}
+
+  /// x^(n/2 - 1).
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T slope(const T& x) const {
+    const double exponent = 0.5 * this->law.exponent - 1.0;
+    if (!(exponent > 0.0)) return T(1.0);
+    return value(x) > 1e-24 ? power(x, exponent) : T(0.0);
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T yield(const T* stress, const T* h) const {
+    T q2;
+    const T p = this->invariants(stress, q2), x = this->inverse_m2 * q2 / (p * p);
+    return logarithm(p / h[0]) + spread * (x * slope(x));
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void flow(const T* stress, const T* h, const T& volume_strain,
+                                   PlasticFlow<T, 2, N>& out) const {
+    T q2;
+    const T p = this->invariants(stress, q2), x = this->inverse_m2 * q2 / (p * p);
+    const T potential[2] = {p + p * x, h[1]};  // the ellipse through the stress
+    Ellipse::flow(stress, potential, volume_strain, out);
+    for (int i = 0; i < N; ++i) out.flow_direction[i] = out.yield_gradient[i];
+    out.hardening_rate[0] *= h[0] / potential[0];
+    out.hardening_gradient[0] = -1.0 / h[0];
+    // deviator as that of the ellipse, times df/d(q^2/M^2)/scale; volume from df/dp'
+    const double exponent = this->law.exponent;
+    const T factor = slope(x) * (0.5 * exponent * spread / this->scale) / (p * p);
+    const T along_ellipse = this->scale * (p - p * x), along = (1.0 - exponent * spread * (x * slope(x))) / p;
+    this->space.strain_along(factor * along_ellipse - along, T(0.0), stress, out.yield_gradient);
+    for (int i = 0; i < N; ++i) out.yield_gradient[i] += factor * out.flow_direction[i];
+  }
+};
+
+/// Where p' is below the minimum: sets it there and returns true. pc is at least r times the minimum (r = 2 for the
+/// ellipse), so that the surface leaves room for shear, and q is reduced to the surface (inside it for every Lode
+/// angle: a^2 <= M(S)^2/M^2).
 KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::raise_to_minimum(double* stress, double* h) const {
   double s[6];
   if (!(sym6::deviator(stress, s) < minimum_mean_stress)) return false;
-  h[0] = ::fmax(h[0], 2.0 * minimum_mean_stress);
+  h[0] = ::fmax(h[0], critical_spacing() * minimum_mean_stress);
   const double weakest = lode == Lode::sheng ? ::sqrt(lode_ratio_4()) : 1.0;
-  const double allowed = weakest * ratio * ratio * minimum_mean_stress * (h[0] - minimum_mean_stress);
+  const double room =
+      spacing > 0.0 ? minimum_mean_stress * ::pow(::log(h[0] / minimum_mean_stress) / ::log(spacing), 2.0 / exponent)
+                    : h[0] - minimum_mean_stress;
+  const double allowed = weakest * ratio * ratio * minimum_mean_stress * room;
   const double q2 = 1.5 * sym6::norm_squared(s);
   const double factor = q2 > allowed ? ::sqrt(allowed / q2) : 1.0;
   for (int i = 0; i < 6; ++i) stress[i] = factor * s[i] - (i < 3 ? minimum_mean_stress : 0.0);
   return true;
 }
 
+template <class Space, class T>
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::integrate(const Space& space, double specific_volume, const T* strain,
+                                                       T* stress, T* h) const {
+  const double pc = value(h[0]);
+  if (spacing > 0.0)
+    return integrate_plasticity(CasmModel<Space>(*this, space, specific_volume, pc), integration, strain, stress, h);
+  return integrate_plasticity(ModifiedCamClayModel<Space>(*this, space, specific_volume, pc), integration, strain,
+                              stress, h);
+}
+
 template <class T>
 KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update_six_components(const double* start, const double* h,
                                                                    double specific_volume, const T* strain,
                                                                    double* state, SkeletonResponse& out) const {
-  const ModifiedCamClayModel<SixComponents> model(*this, {}, specific_volume, h[0]);
   T stress[6], hardening[2] = {T(h[0]), T(h[1])};
   for (int i = 0; i < 6; ++i) stress[i] = T(start[i]);
-  if (!integrate_plasticity(model, integration, strain, stress, hardening)) return false;
+  if (!integrate(SixComponents(), specific_volume, strain, stress, hardening)) return false;
   for (int i = 0; i < 6; ++i) out.stress[i] = value(stress[i]);
   for (int i = 0; i < 2; ++i) state[i] = value(hardening[i]);
   write_tangent(stress, out.tangent);
@@ -262,10 +343,9 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update_two_deviators(const double* 
                                                                   double specific_volume, const double* strain,
                                                                   double* state, SkeletonResponse& out) const {
   const IncrementOfTwoDeviators<T> increment(start, strain);
-  const ModifiedCamClayModel<TwoDeviators<T>> model(*this, increment.space, specific_volume, h[0]);
   T stress[3], hardening[2] = {T(h[0]), T(h[1])};
   increment.start(stress);
-  if (!integrate_plasticity(model, integration, increment.strain, stress, hardening)) return false;
+  if (!integrate(increment.space, specific_volume, increment.strain, stress, hardening)) return false;
   increment.write(stress, out.stress);
   for (int i = 0; i < 2; ++i) state[i] = value(hardening[i]);
   if constexpr (!std::is_same_v<T, double>) increment.write_tangent(stress, out.tangent);

@@ -118,9 +118,14 @@ std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   constant_shear.set("specific volume", "initial");
   Teuchos::ParameterList implicit(sheng), fifth_order(plain);
   implicit.set("integration", "implicit");
+  Teuchos::ParameterList casm(plain), casm_sheng(sheng), casm_constant(constant_shear), casm_implicit(implicit);
+  casm.set("spacing ratio", 2.3).set("stress state coefficient", 4.5);
+  casm_sheng.set("spacing ratio", 2.7).set("stress state coefficient", 3.0);
+  for (auto* list : {&casm_constant, &casm_implicit}) list->set("spacing ratio", 2.7);
   fifth_order.set("integration", "runge-kutta-dormand-prince");
   return {{"linear elastic", {elastic}},
-          {"modified cam clay", {plain, sheng, constant_shear, implicit, fifth_order}},
+          {"modified cam clay",
+           {plain, sheng, constant_shear, implicit, fifth_order, casm, casm_sheng, casm_constant, casm_implicit}},
           {"neo-hookean", {elastic}},
           {"mohr-coulomb", mohr_coulomb_variants(elastic)},
           {"drucker-prager", cone_variants(elastic)},

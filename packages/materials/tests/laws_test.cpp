@@ -149,6 +149,15 @@ TEST(Registration, RulesAcrossParametersAreChecked) {
   clay.set("swelling slope", 0.2);
   EXPECT_NE(complaint(clay).find("smaller"), std::string::npos);
   clay.set("swelling slope", 0.03);
+  clay.set("stress state coefficient", 3.0);
+  EXPECT_NE(complaint(clay).find("plays no role without 'spacing ratio'"), std::string::npos);
+  clay.set("spacing ratio", 1.0);
+  EXPECT_NE(complaint(clay).find("give more than 1"), std::string::npos);
+  clay.set("spacing ratio", 2.3);
+  EXPECT_EQ(complaint(clay), "");
+  clay.set("stress state coefficient", 1.5);
+  EXPECT_NE(complaint(clay).find("stress state coefficient"), std::string::npos);
+  clay.set("stress state coefficient", 3.0);
   clay.set("lode dependence", "sheng");
   EXPECT_EQ(complaint(clay), "");
   clay.set("critical stress ratio", 2.5);

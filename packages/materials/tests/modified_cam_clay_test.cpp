@@ -358,5 +358,62 @@ TEST(ModifiedCamClay, LooseningStopsAtTheMinimumMeanStress) {
   EXPECT_GT(point.p(), 1000.0);
 }
 
+ModifiedCamClay casm(double ratio = 1.2) {
+  ModifiedCamClay law = clay(ratio);
+  law.spacing = 2.5;
+  law.exponent = 3.0;
+  return law;
+}
+
+TEST(CasmSurface, InExtensionIsThatOfTheSameFrictionAngle) {
+  ModifiedCamClay lode = casm();
+  lode.lode = ModifiedCamClay::Lode::sheng;
+  const double sine = 0.5, extension = 1.2 * (3.0 - sine) / (3.0 + sine);
+  const Law sheng(lode), round(casm()), weak(casm(extension));
+  for (const bool compressing : {true, false}) {
+    PointDriver a(sheng, isotropic_stress(100 * kpa), 1.0, 4.0),
+        b(compressing ? round : weak, isotropic_stress(100 * kpa), 1.0, 4.0);
+    for (PointDriver* point : {&a, &b}) compress(*point, Path::undrained, compressing ? 0.15 : -0.15, 300);
+    expect_relative(a.p(), b.p(), 1e-7, "p'");
+    expect_relative(a.q(), b.q(), 1e-7, "q");
+  }
+}
+
+// The initial stress is on the surface for OCR 1; the critical state volume is where pc = r p'.
+TEST(CasmSurface, InitialState) {
+  ModifiedCamClay parameters = casm();
+  const double p = 220.0 / 3.0, q = 40.0, eta = q / (1.2 * p), through = p * std::pow(2.5, eta * eta * eta);
+  double state[ModifiedCamClay::state_size];
+  InitialPoint point{{}, {-60 * kpa, -100 * kpa, -60 * kpa, 0, 0, 0}, 0.9, 1.5};
+  ASSERT_EQ(parameters.initialise(point, state), "");
+  expect_relative(state[ModifiedCamClay::preconsolidation], 1.5 * through * kpa, 1e-12, "pc");
+  const SoilState soil = parameters.soil_state(point.stress.data(), 0.9, state);
+  expect_relative(*soil.overconsolidation_ratio, 1.5, 1e-12, "overconsolidation ratio");
+  expect_relative(*soil.undrained_strength, 0.6 * p * kpa * std::pow(1.5 * through / (2.5 * p), 0.8), 1e-12, "s_u");
+  parameters.critical_volume = 2.5;
+  parameters.reference_pressure = 100 * kpa;
+  const double normal = 2.5 + 0.12 * std::log(2.5), pc = 1.5 * through;
+  expect_relative(parameters.void_ratio(point) + 1.0, normal - 0.15 * std::log(pc / 100.0) + 0.03 * std::log(pc / p),
+                  1e-12, "v");
+}
+
+// Plastic flow dissipates at every stress, though it is not normal to the surface.
+TEST(CasmSurface, PlasticWorkIsPositive) {
+  ModifiedCamClay law = casm();
+  law.lode = ModifiedCamClay::Lode::sheng;
+  const CasmModel<SixComponents> model(law, {}, 2.0, 100 * kpa);
+  for (int i = 0; i < 2000; ++i) {
+    const auto random = [&](int c) { return std::sin(12.9898 * i + 78.233 * c + 0.1 * i * c); };
+    double stress[6];
+    const double size = std::pow(10.0, 3.0 * random(6));  // of the deviator over the mean stress
+    for (int c = 0; c < 6; ++c) stress[c] = 10 * kpa * (size * random(c) - (c < 3 ? 1.0 : 0.0));
+    if (!(sym6::mean_pressure(stress) > 0.0)) continue;
+    const double h[2] = {100 * kpa, 0.0};  // the flow direction does not depend on it
+    PlasticFlow<double, 2> flow;
+    model.flow(stress, h, 0.0, flow);
+    EXPECT_GE(sym6::work(stress, flow.flow_direction), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace mudline

@@ -68,6 +68,37 @@ class CamClayRates:
         return D - np.outer(direction, direction) / modulus, lambda e: np.array([direction @ e / modulus * growth, e.sum()])
 
 
+class CasmRates(CamClayRates):
+    """The same with the yield surface of CASM, ln(p'/pc) + ln(r) (q/(M p'))^n = 0; the flow is that of the ellipse."""
+
+    def __init__(self, r, n, ocr, **clay):
+        super().__init__(ocr=1.0, **clay)
+        self.r, self.n = r, n
+        p, q2 = self.invariants(self.start)[:2]
+        self.begin[0] = ocr * p * np.exp(self.log_shape(q2 / p ** 2))
+
+    def log_shape(self, eta2):
+        return np.log(self.r) * (eta2 / self.M ** 2) ** (self.n / 2)
+
+    def yield_function(self, stress, state):
+        p, q2, _ = self.invariants(stress)
+        return np.log(p / state[0]) + self.log_shape(q2 / p ** 2)
+
+    def stiffness(self, stress, state, plastic):
+        D = self.elastic(stress, state)
+        if not plastic:
+            return D, lambda e: np.array([0.0, e.sum()])
+        p, q2, s = self.invariants(stress)
+        shape = self.n * self.log_shape(q2 / p ** 2)  # q df/dq = -(p df/dp - 1)
+        normal = (1 - shape) / (3 * p) + (1.5 * shape / q2 * s if q2 > 0 else 0)
+        flow = (p - q2 / (self.M ** 2 * p)) / 3 + 3 * s / self.M ** 2
+        growth = self.v0 * np.exp(-state[1]) / (self.slope - self.swelling) * flow.sum()  # of ln pc
+        modulus = normal @ D @ flow + growth
+        multiplier = normal @ D / modulus
+        return (D - np.outer(D @ flow, multiplier),
+                lambda e: np.array([multiplier @ e * growth * state[0], e.sum()]))
+
+
 class MohrCoulombRates:
     """Linear elastic in the logarithmic strain, radial stress largest. Cylinder: the third stress stays between the other two.
     Sphere: both hoop stresses are equal, the flow is shared between the two faces. State: none (one idle number)."""
