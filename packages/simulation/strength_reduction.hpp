@@ -10,9 +10,9 @@ namespace mudline {
 /// the soil moves by more than a share of its height times the growth of the factor: soil that flows at constant volume
 /// may come to rest in another shape, which is no equilibrium of this one.
 struct StrengthReduction {
-  double largest = 1;               // [-] factor at the end of the duration; 1: strengths are not reduced
-  double resolution = 0.005;        // [-] largest difference of the factors with and without equilibrium
-  double displacement_limit = 0.5;  // [-] largest displacement over the soil's height, per growth of the factor
+  double largest = 1;                // [-] factor at the end of the duration; 1: strengths are not reduced
+  double resolution = 0.005;         // [-] largest difference of the factors with and without equilibrium
+  double displacement_limit = 0.05;  // [-] largest displacement over the soil's height, per growth of the factor
 
   void parameters(Parameters& p);
   bool acts() const { return largest > 1; }
