@@ -51,6 +51,18 @@ class Slope(StrengthCase):
             brackets.append(self.bracket("undrained"))
         self.assertLess(abs(brackets[0][0] - brackets[1][0]), 0.01, brackets)
 
+    def test_displacement_limit(self):
+        """Beyond the factor of safety the soil moves so much more that the limit hardly matters. Without one it flows on to
+        the largest factor: steps that converge say nothing alone."""
+        limit = "stages/safety/strength reduction/displacement limit"
+        found = []
+        for value in (0.02, 0.08):
+            self.slope("undrained", [f"{limit}={value}"])
+            found.append(self.bracket("undrained")[0])
+        self.assertLess(found[1] / found[0] - 1, 0.01, found)
+        self.slope("undrained", [f"{limit}=0.5"])
+        self.assertEqual(self.results("undrained"), {})
+
     def test_ranks(self):
         one = self.slope("homogeneous", COARSE)
         bracket = self.bracket("homogeneous")
