@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+
+#include "core/pi.hpp"
 #include "materials/automatic_tangent.hpp"
 #include "materials/cone.hpp"
 
@@ -18,6 +21,11 @@ struct ElasticConstants {
     return {young / (3.0 * (1.0 - 2.0 * poisson)), 0.5 * young / (1.0 + poisson)};
   }
 };
+
+/// The angle [deg] whose tangent is that of `angle` [deg] divided by `factor`.
+inline double angle_over(double factor, double angle) {
+  return std::atan(std::tan(angle * pi / 180.0) / factor) * 180.0 / pi;
+}
 
 /// A strength that grows linearly with the initial depth of a point; the point keeps it while it moves.
 struct StrengthProfile {

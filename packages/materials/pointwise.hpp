@@ -38,6 +38,8 @@ struct SkeletonResponse {
 ///     void check(const Section&);                          rules across parameters; changes no member
 ///     static constexpr bool volume_apart = true;           see Skeleton
 ///     void prepare();                                      computes constants from the parameters
+///     void reduce_strength(double factor);                 divides strengths, before prepare(): Strengths::reducible
+///     static constexpr bool no_strength = true;            Strengths::none
 ///     double k0(double ocr) const;
 ///     double void_ratio(const InitialPoint&) const;
 ///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
@@ -90,6 +92,12 @@ class PointwiseSkeleton : public Skeleton {
     else
       return Skeleton::volume_apart();
   }
+  Strengths strengths() const override {
+    if constexpr (detail_has_reduce_strength<Law>::value)
+      return Strengths::reducible;
+    else
+      return detail_has_no_strength<Law>::value ? Strengths::none : Strengths::unknown;
+  }
   double k0(const InitialPoint& point) const override {
     if constexpr (detail_has_k0<Law>::value)
       return law_at(point).k0(point.overconsolidation_ratio);
@@ -115,8 +123,9 @@ class PointwiseSkeleton : public Skeleton {
       return Skeleton::earth_pressures(vertical, point);
   }
   int evaluate(const SkeletonWorkset& w) const override {
-    const Law law = law_;
     const NumbersOfPlace::Members numbers = numbers_.members();
+    const double factor = w.strength_factor;
+    const Law law = numbers.none() && factor != 1.0 ? with_strength_over(factor, law_) : law_;
     int failures = 0;
     CaughtInKernel thrown, *caught = &thrown;
     Kokkos::parallel_reduce(
@@ -136,7 +145,7 @@ class PointwiseSkeleton : public Skeleton {
           numbers.keep(state_old, state);
           const bool ok = CaughtInKernel::run(caught, [&] {
             return numbers.none() ? law(in, state_old, state, out)
-                                  : with_numbers(law, numbers, state_old)(in, state_old, state, out);
+                                  : with_numbers(law, numbers, state_old, factor)(in, state_old, state, out);
           });
           if (!ok) {  // a failed point gets its old state, so that nothing undefined spreads
             for (int c = 0; c < 6; ++c) out.stress[c] = in.stress[c];
@@ -162,14 +171,21 @@ class PointwiseSkeleton : public Skeleton {
   static void prepare(Law& law) {
     if constexpr (detail_has_prepare<Law>::value) law.prepare();
   }
-  /// The law with the numbers of a point, which stand in its state.
+  /// The law with its strengths divided by a factor.
+  static Law with_strength_over(double factor, Law law) {
+    if constexpr (detail_has_reduce_strength<Law>::value) law.reduce_strength(factor);
+    prepare(law);
+    return law;
+  }
+  /// The law with the numbers of a point, which stand in its state, and with its strengths divided by a factor.
   static KOKKOS_INLINE_FUNCTION Law with_numbers(const Law& law, const NumbersOfPlace::Members& numbers,
-                                                 const double* state) {
+                                                 const double* state, double factor = 1.0) {
     Law own = law;
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
     Kokkos::abort("numbers of a law that are functions of the place are for the host only");
 #else
     numbers.give(own, state);
+    if (factor != 1.0) return with_strength_over(factor, own);
     prepare(own);
 #endif
     return own;
@@ -197,6 +213,15 @@ class PointwiseSkeleton : public Skeleton {
   struct detail_has_volume_apart : std::false_type {};
   template <class T>
   struct detail_has_volume_apart<T, std::void_t<decltype(T::volume_apart)>> : std::true_type {};
+  template <class T, class = void>
+  struct detail_has_reduce_strength : std::false_type {};
+  template <class T>
+  struct detail_has_reduce_strength<T, std::void_t<decltype(std::declval<T&>().reduce_strength(1.0))>>
+      : std::true_type {};
+  template <class T, class = void>
+  struct detail_has_no_strength : std::false_type {};
+  template <class T>
+  struct detail_has_no_strength<T, std::void_t<decltype(T::no_strength)>> : std::true_type {};
   template <class T, class = void>
   struct detail_has_k0 : std::false_type {};
   template <class T>

@@ -71,6 +71,7 @@ struct SkeletonWorkset {
   bool plane = false;             // no shear yz and xz: their rows and columns of the tangent are not read
   Increment increment = {};
   ConstPointView surroundings = {};  // (points, Surroundings::size) if Skeleton::wants_surroundings(), else empty
+  double strength_factor = 1;        // [-] by which a law with Strengths::reducible divides its strengths
 };
 
 /// Bulk and shear modulus [Pa] of the elastic response: wave speeds, penalties, preconditioners.
@@ -100,6 +101,9 @@ struct InitialPoint {
   double height = 0.0;                   // [m] of the position, counted against gravity
 };
 
+/// Whether a law has strengths, and can divide them by a factor (SkeletonWorkset::strength_factor).
+enum class Strengths { unknown, none, reducible };
+
 /// Effective-stress law of the soil skeleton; works on whole batches of points, pure: old in, new out, no memory.
 class Skeleton {
  public:
@@ -118,6 +122,7 @@ class Skeleton {
   /// Whether volume and shear are apart: the mean stress follows the volume strain alone, does not act on stiffness and
   /// strength in shear, and yielding does not change the volume.
   virtual bool volume_apart() const { return false; }
+  virtual Strengths strengths() const { return Strengths::unknown; }
   /// Whether the law reads SkeletonWorkset::surroundings, which cost time to fill.
   virtual bool wants_surroundings() const { return false; }
   /// Updates all points; returns the number of failed ones (flags in workset.failed).

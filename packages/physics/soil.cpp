@@ -228,6 +228,13 @@ double top_of(const SoilMaterial& material, const Point& start) {
 
 }  // namespace
 
+double Soil::extent() const {
+  const Bounds& bounds = space->mesh().bounds();
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += std::abs(up[i]) * (bounds.high[i] - bounds.low[i]);
+  return sum;
+}
+
 int Soil::material_at(const SoilBlock& b, const Point& start) const {
   const auto top = [&](int k) { return top_of(*materials[k], start); };
   const double here = height(start);

@@ -92,7 +92,12 @@ struct Soil {
   bool excess = false;  // pore pressures are in excess of water at rest, weights are submerged weights
   /// Unit vector against gravity, along which heights are counted; without gravity the mesh's last direction.
   Point up{};
+  /// Height of the whole mesh at the start [m].
+  double extent() const;
   double height(const Point& x) const { return x[0] * up[0] + x[1] * up[1] + x[2] * up[2]; }
+  double reduction_rate = 0;  // [1/s] growth of the factor by which the present stage divides strengths
+  /// That factor [-], so long after the stage's start [s].
+  double strength_factor(double since) const { return 1 + reduction_rate * since; }
   std::function<Point(double time)> gravity = [](double) { return Point{}; };  // [m/s2]
   /// Gravity [m/s2] at a time in the balance of the pore water; zero without pore fluid and where pore pressures are in
   /// excess of water at rest.

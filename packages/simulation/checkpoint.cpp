@@ -332,6 +332,10 @@ void Checkpoint::check_stages(const Model& model, Progress& progress) const {
       if (!lies_in(change.path, stage)) continue;
       const bool running = i == present;
       if (running && lies_in(change.path, stage + "/ends when")) progress.stage_over = false;
+      const std::string reduction = stage + "/strength reduction";
+      if (running && (lies_in(change.path, reduction) ||
+                      (change.path == stage + "/duration" && stages[i]->strength_reduction.acts())))
+        throw InputError(change.text() + ", but the strengths of that stage are being reduced already");
       if ((change.path == stage + "/duration" && !running) || (change.path == stage + "/type"))
         throw InputError(change.text() + ", but that stage " + (running ? "has begun" : "is over"));
       if (!running) without_effect.push_back(change);

@@ -68,6 +68,10 @@ void FieldOutput::step(const RunView& run) {
   if (by_time) next_time_ = time_after(run);
 }
 
+void FieldOutput::end_stage(const RunView& run) {
+  if (run.lost_factor > 0 && written_step_ != run.step) write(run, run.stage.name);
+}
+
 void FieldOutput::remeshed(const RunView& run) {
   restart_ = FieldRestart{num_steps(), run.state.time, false, marks(), true};
   file_.reset();
@@ -84,6 +88,7 @@ void FieldOutput::end_run(const RunView& run, RunEnd end) {
 }
 
 void FieldOutput::write(const RunView& run, const std::string& stage) {
+  written_step_ = run.step;
   const Mesh& mesh = run.model.mesh();
   std::vector<double> coordinates;
   for (int node = 0; node < mesh.num_owned_nodes(); ++node)

@@ -29,6 +29,8 @@ class FieldOutput : public Observer {
   void begin_run(const RunView& run) override;
   void begin_stage(const RunView& run) override;
   void step(const RunView& run) override;
+  /// Writes the last state of a stage that ended because the step after it found no equilibrium.
+  void end_stage(const RunView& run) override;
   void remeshed(const RunView& run) override;
   /// Writes the last state of a run that fails. Throws RunError where files are gone at the end of one that is done.
   void end_run(const RunView& run, RunEnd end) override;
@@ -44,7 +46,8 @@ class FieldOutput : public Observer {
   const Observers& observers_;
   std::optional<FieldRestart> restart_;
   std::unique_ptr<FieldFile> file_;
-  double next_time_ = 0;  // [s] at which fields are due
+  double next_time_ = 0;   // [s] at which fields are due
+  int written_step_ = -1;  // of the last fields
 };
 
 }  // namespace mudline

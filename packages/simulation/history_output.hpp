@@ -30,6 +30,7 @@ class HistoryOutput : public Observer {
   void begin_run(const RunView& run) override;
   void step(const RunView& run) override;
   void remeshed(const RunView& run) override;
+  /// Writes the row of the last step where a stage ends after it.
   void end_stage(const RunView& run) override { write_due_row(run); }
   /// The row of a run that is interrupted follows its checkpoint: a restart drops it. Throws RunError where the file is
   /// gone at the end of a run that is done.

@@ -254,6 +254,7 @@ void Model::read_stages(const Section& deck, const Registries& registries) {
       stages_.back()->ends.back()->name = end.name();
       guarded(end, "type", "it cannot end the stage", [&] { stages_.back()->ends.back()->bind(*this, end); });
     }
+    if (stages_.back()->strength_reduction.acts()) check_strengths(entry.section("strength reduction"));
     if (stages_.back()->control.error_tolerance > 0 && !TimeError::has_meaning(*space_, stages_.back()->scheme(0)))
       entry.section("time step")
           .fail(
@@ -262,6 +263,20 @@ void Model::read_stages(const Section& deck, const Registries& registries) {
               "error tolerance");
   }
   if (stages_.empty()) section.fail("at least one stage is needed");
+}
+
+void Model::check_strengths(const Section& section) const {
+  const std::string reducible = "mohr-coulomb, drucker-prager, tresca, von mises";
+  bool found = false;
+  for (const auto& material : soil_ ? soil_->materials : std::vector<std::shared_ptr<const SoilMaterial>>()) {
+    const Strengths strengths = material->skeleton->strengths();
+    found = found || strengths == Strengths::reducible;
+    if (strengths == Strengths::unknown)
+      section.fail("the law '" + material->law + "' of material '" + material->name +
+                   "' has no strengths that could be divided by a factor; allowed: " + reducible +
+                   ", and elastic laws beside them");
+  }
+  if (!found) section.fail("no soil of the deck has a strength; needed: a material with one of " + reducible);
 }
 
 void Model::read_solver(const Section& deck, const Registries& registries) {
@@ -336,6 +351,8 @@ void Model::activate(const Stage& stage, bool fresh) {
   }
   system_->activate(terms([](const Condition&) { return true; }));
   active_conditions_ = names;
+  // the conditions hold the forces at the end of the stage before, with its strengths
+  if (soil_) soil_->reduction_rate = stage.strength_reduction.rate(stage.duration);
 }
 
 void Model::activate_conditions(const Stage& stage, const std::vector<Condition*>& conditions,

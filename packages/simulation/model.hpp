@@ -81,6 +81,8 @@ class Model {
   void read_contacts(const Section& deck, const Registries& registries);
   void read_mesh_motion(const Section& deck, const Registries& registries);
   void read_stages(const Section& deck, const Registries& registries);
+  /// Checks that the soil has strengths to reduce. InputError in `section`.
+  void check_strengths(const Section& section) const;
   void read_solver(const Section& deck, const Registries& registries);
   /// Gives conditions of a stage the residual of the terms `acting`. Collective.
   void activate_conditions(const Stage& stage, const std::vector<Condition*>& conditions,

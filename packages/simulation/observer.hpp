@@ -36,6 +36,7 @@ struct RunView {
   const Balances& balances;  // sums over the run
   const ExcessPressure& pressure;  // pore pressure less that of the start
   const std::string& stem;         // of the names of the run's files: "results/pile"
+  double lost_factor;  // [-] over which the strengths find no equilibrium, which ended the stage; 0: none did
 };
 
 /// How a run ends: done; interrupted, to be continued from its checkpoint; or failed within a stage.

@@ -96,6 +96,8 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.remaps);
   docs.push_back(fixed("stages", "what happens in time, in order; one named section each",
                        [](Parameters& p) { Stage::document(p); }));
+  docs.push_back(fixed("strength reduction", "how a stage reduces strengths to find the factor of safety",
+                       [](Parameters& p) { StrengthReduction().parameters(p); }));
   docs.push_back(fixed("time step", "size of a stage's steps", [](Parameters& p) { StepControl().parameters(p); }));
   append(docs, r.integrators);
   append(docs, r.stage_ends);

@@ -18,6 +18,7 @@
 #include "simulation/results/excess.hpp"
 #include "simulation/results/resistance.hpp"
 #include "simulation/results/results.hpp"
+#include "simulation/results/safety.hpp"
 #include "simulation/run_start.hpp"
 #include "simulation/step_report.hpp"
 #include "simulation/wall_dissipation.hpp"
@@ -95,6 +96,7 @@ void Run::make_observers(Observers watchers) {
   add(std::make_unique<MeshWatch>());
   for (auto& watcher : watchers) add(std::move(watcher));
   add(std::make_unique<WallDissipation>());
+  add(std::make_unique<SafetyResults>(progress_.results));
   // these come after all that have columns and fields
   history_ = add(std::make_unique<HistoryOutput>(settings_, observers_, error_estimate_));
   ends_ = std::make_unique<StageEnds>(*history_);
@@ -124,7 +126,8 @@ RunView Run::view(bool resumed) const {
           progress_.step, progress_.last_dt,
           rejected_,      solve_,
           report_,        *balances_,
-          *pressure_,     stem_};
+          *pressure_,     stem_,
+          lost_factor_};
 }
 
 void Run::tell(const std::function<void(Observer&)>& action) {
@@ -192,6 +195,7 @@ bool Run::begin_stage(const Stage& stage) {
   log::info("stage '" + stage.name + "'");
   progress_.stage_open = true;
   progress_.stage_over = false;
+  lost_factor_ = 0;
   progress_.step_in_stage = 0;
   progress_.stage_start = model_->store().committed().time;
   progress_.next_dt = stage.control.initial;
@@ -232,13 +236,7 @@ bool Run::run_geostatic(const Stage& stage) {
     log::error("geostatic equilibrium of stage '" + stage.name + "' not found: " + report.reason);
     return false;
   }
-  const int u = model_->space().find("displacement");
-  double largest = 0;
-  if (u >= 0)
-    for (const auto& [begin, end] : overlap_ranges(*model_->space().dofs(), u))
-      for (int i = begin; i < end; ++i)
-        largest = std::max(largest, std::abs(model_->store().trial().value(i) - model_->store().committed().value(i)));
-  largest = max_over_ranks(*model_->mesh().comm(), largest);
+  const double largest = largest_displacement();
   log::info("  balanced in " + std::to_string(report.newton_iterations) + " iterations, largest displacement " +
             told(largest, "%.3g m"));
   if (stage.balance_tolerance > 0 && largest > stage.balance_tolerance) {
@@ -264,6 +262,16 @@ void Run::take_start() {
   balances_->start();
   pressure_->take_start();
   tell(&Observer::take_start);
+}
+
+double Run::largest_displacement() const {
+  const int u = model_->space().find("displacement");
+  double largest = 0;
+  if (u >= 0)
+    for (const auto& [begin, end] : overlap_ranges(*model_->space().dofs(), u))
+      for (int i = begin; i < end; ++i)
+        largest = std::max(largest, std::abs(model_->store().trial().value(i) - model_->store().committed().value(i)));
+  return max_over_ranks(*model_->mesh().comm(), largest);
 }
 
 void Run::reset_displacements() {
@@ -307,6 +315,10 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
     ++rejected_;
     if (next < 0) next = stage.control.after_failure(dt);
     const double time = model_->store().committed().time;
+    if (next < 0 && stage.strength_reduction.acts()) {
+      end_reduction(stage, dt, report.reason);
+      return false;
+    }
     if (next < 0 || stop_requested()) {
       exit = next < 0 ? ExitCode::no_convergence : ExitCode::stopped;
       if (next < 0)
@@ -320,7 +332,32 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
   }
 }
 
+std::string Run::flows(const Stage& stage) const {
+  const StrengthReduction& reduction = stage.strength_reduction;
+  if (!reduction.acts()) return "";
+  const double growth =
+      reduction.rate(stage.duration) * (model_->store().trial().time - model_->store().committed().time);
+  const double moved = largest_displacement(), limit = reduction.displacement_limit * growth * model_->soil()->extent();
+  if (moved <= limit) return "";
+  return "the soil moves by " + told(moved, "%.3g m") + " while the strength factor grows by " + told(growth, "%.3g") +
+         ", more than " + told(limit, "%.3g m");
+}
+
+void Run::end_reduction(const Stage& stage, double dt, const std::string& reason) {
+  const double since = model_->store().committed().time - progress_.stage_start;
+  const double found = model_->soil()->strength_factor(since);
+  lost_factor_ = model_->soil()->strength_factor(since + dt);
+  progress_.stage_over = true;
+  log::info("  stage '" + stage.name + "' ends: no equilibrium with the strengths over " + told(lost_factor_, "%.6g") +
+            " (" + reason + "); factor of safety " + told(found, "%.6g"));
+}
+
 bool Run::accept(const Stage& stage, StepReport& solve) {
+  if (const std::string why = flows(stage); !why.empty()) {
+    solve.reason = why;
+    solve.converged = false;
+    return false;
+  }
   if (moves_mesh(stage) && !stage.allow_folded && folds_elements(*model_)) {
     solve.reason = "the step folds elements";
     solve.converged = false;
@@ -408,6 +445,7 @@ ExitCode Run::run_stage() {
     StepReport report;
     ExitCode exit = ExitCode::done;
     if (!take_step(stage, dt, report, exit)) {
+      if (progress_.stage_over) break;
       save_and_end(RunEnd::failed);
       return exit;
     }
@@ -429,7 +467,10 @@ ExitCode Run::execute() {
   tell(&Observer::begin_run, options_.restart);
   const int stages = static_cast<int>(model_->stages().size());
   // where the run goes on between two stages the terms of the stage before are active already and do not start anew
-  if (!progress_.stage_open && progress_.stage > 0) model_->activate(*model_->stages()[progress_.stage - 1], false);
+  if (!progress_.stage_open && progress_.stage > 0) {
+    model_->store().committed().increment.stage_start = progress_.stage_start;
+    model_->activate(*model_->stages()[progress_.stage - 1], false);
+  }
   for (; progress_.stage < stages; ++progress_.stage) {
     const Stage& stage = this->stage();
     if (!begin_stage(stage)) {
@@ -448,6 +489,10 @@ ExitCode Run::execute() {
       const bool complete =
           progress_.stage_over || model_->store().committed().time >= progress_.stage_start + duration * (1 - 2e-9);
       if (exit != ExitCode::done || !complete) return exit;
+      if (!progress_.stage_over && this->stage().strength_reduction.acts())
+        log::warn("stage '" + this->stage().name +
+                  "' ends in equilibrium: the factor of safety is above the largest factor, " +
+                  told(this->stage().strength_reduction.largest, "%.6g"));
       if (!progress_.stage_over && !this->stage().ends.empty())
         log::warn("stage '" + this->stage().name + "' ends with its duration of " + told(duration, "%.6g s") +
                   ": nothing of its 'ends when' was reached");

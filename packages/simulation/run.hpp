@@ -71,6 +71,13 @@ class Run {
   /// Sets the number of the next increment; `taken`: steps that are not counted in the progress yet.
   void count_increment(int taken);
   StepRequest request(const Stage& stage, double dt) const;
+  /// Why a converged step is no equilibrium: the soil moves too far for the growth of a strength reduction's factor;
+  /// "": it is one. Collective.
+  std::string flows(const Stage& stage) const;
+  /// Ends a stage whose strength reduction finds no equilibrium for a step of length `dt`.
+  void end_reduction(const Stage& stage, double dt, const std::string& reason);
+  /// The largest component of the displacement of the trial state from the committed one [m]. Collective.
+  double largest_displacement() const;
   void reset_displacements();
   /// Takes the committed state as the start of balances, excess pressures and observers.
   void take_start();
@@ -114,6 +121,7 @@ class Run {
   StepReport solve_;  // likewise, its iterations
   int steps_here_ = 0;
   int rejected_ = 0;
+  double lost_factor_ = 0;  // of the strengths, that ended the stage; 0: none did
   TransferLog transfers_;
 };
 

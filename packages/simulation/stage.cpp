@@ -1,8 +1,9 @@
 #include "simulation/stage.hpp"
 
-#include "core/guarded.hpp"
-
 #include <algorithm>
+
+#include "core/guarded.hpp"
+#include "core/told.hpp"
 
 namespace mudline {
 
@@ -37,6 +38,8 @@ void Stage::parameters(Parameters& p) {
   p.passes_on(
       "ends when",
       "what ends the stage before its duration, by name: the first one that is reached; see the stage end types");
+  p.passes_on("strength reduction",
+              "quasi-static: the strengths of the soil are divided by a growing factor until no equilibrium is found");
   p.passes_on("motions",
               "motions of bodies, by name, that hold in this stage instead of their own; see the motion types");
 }
@@ -70,6 +73,11 @@ std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIn
   stage->contacts = select(
       "contacts", stage->wanted_contacts_,
       stage->type == Type::geostatic && !section.has_parameter("contacts") ? std::vector<std::string>{} : contacts);
+  const bool reduces = section.has_section("strength reduction");
+  if (reduces && stage->type != Type::quasi_static)
+    section.fail("a stage with a strength reduction looks for equilibrium: its type must be 'quasi-static'; given '" +
+                     section.text("type") + "'",
+                 "type");
   if (stage->type == Type::geostatic) {
     stage->duration = 0;
     stage->reset_displacements = true;
@@ -102,7 +110,23 @@ std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIn
   stage->control.complete(stage->duration);
   if (stage->control.initial > stage->duration)
     steps.fail("the first step must not be longer than the stage's duration", "initial");
+  if (reduces) stage->read_reduction(section.section("strength reduction"), steps);
   return stage;
+}
+
+void Stage::read_reduction(const Section& section, const Section& steps) {
+  Parameters p(section);
+  strength_reduction.parameters(p);
+  p.finish();
+  const double rate = strength_reduction.rate(duration), resolution = strength_reduction.resolution;
+  if (steps.has_parameter("minimum"))
+    steps.fail("the smallest step of a strength reduction follows from its 'resolution'", "minimum");
+  if (control.initial * rate < resolution * (1 - 1e-9))
+    steps.fail("the factor of the strength reduction grows by " + told(control.initial * rate, "%.3g") +
+                   " in the first step; allowed: its resolution of " + told(resolution, "%.3g") + " or more",
+               "initial");
+  // a step that fails is cut unless the factor grows by less than the resolution in it
+  control.minimum = control.cut * resolution / rate;
 }
 
 TimeScheme Stage::scheme(int step) const {

@@ -8,6 +8,7 @@
 #include "integrator/time_scheme.hpp"
 #include "simulation/registries.hpp"
 #include "simulation/stage_end.hpp"
+#include "simulation/strength_reduction.hpp"
 
 namespace mudline {
 
@@ -31,6 +32,7 @@ class Stage {
   double duration = 1;                          // [s]
   std::vector<std::unique_ptr<StageEnd>> ends;  // read by the model; the first one that is reached ends the stage
   StepControl control;
+  StrengthReduction strength_reduction;
   std::vector<std::string> conditions;  // names of the active ones, in deck order
   std::vector<std::string> contacts;
   InitialRates initial_rates = InitialRates::automatic;
@@ -41,6 +43,8 @@ class Stage {
 
  private:
   void parameters(Parameters& p);
+  /// Reads a strength reduction, whose resolution sets the smallest step. InputError.
+  void read_reduction(const Section& section, const Section& steps);
   std::vector<std::string> wanted_conditions_, wanted_contacts_;
   std::unique_ptr<TimeIntegrator> integrator_;
 };

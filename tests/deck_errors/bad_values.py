@@ -43,6 +43,24 @@ def with_end(name, entries, message, at, **where):
     return Wrong(name, (PUSHED, PUSHED + end), message, at=at, **where)
 
 
+REDUCTION = section("strength reduction")
+LARGEST = parameter("largest factor", "double", "2")
+
+
+def with_reduction(name, message, at, entries=LARGEST, kind="quasi-static", step=parameter("initial", "double", "1e-4"), skeleton=None,
+                   **where):
+    """The deck whose push reduces the strength of `skeleton`, (type, entries...) in place of the clay's law."""
+    push = section("push") + "\n" + parameter("type", "string", kind) + "\n" + PUSHED + "\n" + REDUCTION + "\n" + entries + \
+        "</ParameterList>\n" + section("time step") + "\n" + step + "</ParameterList></ParameterList>\n"
+    law = section("skeleton") + "\n" + "".join(parameter(*entry) + "\n" for entry in skeleton) + "</ParameterList>\n" if skeleton else SKELETON
+    return Wrong(name, [(whole("push"), push), (SKELETON, law)], message, at=at, **where)
+
+
+ELASTIC = [("type", "string", "linear elastic"), ("Young's modulus", "double", "1e7"), ("Poisson's ratio", "double", "0.3")]
+CONE = [("type", "string", "mohr-coulomb"), *ELASTIC[1:], ("cohesion", "double", "5e3"), ("friction angle [deg]", "double", "25")]
+LAWS_OF_STRENGTH = "mohr-coulomb, drucker-prager, tresca, von mises"
+
+
 def around_body(name, body, message, at, more="", **where):
     """The deck with a mesh around a body in place of the box."""
     mesh = "".join(parameter(*entry) + "\n" for entry in (
@@ -110,6 +128,25 @@ DECKS = [
                                                  ("falls by", "double", "0.1")],
              "stages/push/ends when/enough: needs one of 'rises to', 'falls to' and 'falls by'; it has 'rises to' and 'falls by'",
              section("enough")),
+    with_reduction("strengths of a law that does not name them",
+                   "stages/push/strength reduction: the law 'modified cam clay' of material 'clay' has no strengths that could be divided by a "
+                   f"factor; allowed: {LAWS_OF_STRENGTH}, and elastic laws beside them", REDUCTION, ranks=BOTH),
+    with_reduction("strengths of elastic soil",
+                   f"stages/push/strength reduction: no soil of the deck has a strength; needed: a material with one of {LAWS_OF_STRENGTH}",
+                   REDUCTION, skeleton=ELASTIC),
+    with_reduction("strengths with inertia", "stages/push/type: a stage with a strength reduction looks for equilibrium: its type must be "
+                   "'quasi-static'; given 'dynamic'", parameter("type", "string", "dynamic"), kind="dynamic", skeleton=CONE),
+    with_reduction("strengths without a factor", "stages/push/strength reduction: required parameter 'largest factor' is missing", REDUCTION,
+                   entries="", skeleton=CONE),
+    with_reduction("strengths by a factor of 1", "stages/push/strength reduction/largest factor: 1 is out of range; allowed: (1, 1000)",
+                   parameter("largest factor", "double", "1"), entries=parameter("largest factor", "double", "1"), skeleton=CONE),
+    with_reduction("strengths with a smallest step",
+                   "stages/push/time step/minimum: the smallest step of a strength reduction follows from its 'resolution'",
+                   parameter("minimum", "double", "1e-6"), skeleton=CONE,
+                   step=parameter("initial", "double", "1e-4") + "\n" + parameter("minimum", "double", "1e-6")),
+    with_reduction("strengths in small steps", "stages/push/time step/initial: the factor of the strength reduction grows by 0.001 in the "
+                   "first step; allowed: its resolution of 0.005 or more", parameter("initial", "double", "1e-6"), skeleton=CONE,
+                   step=parameter("initial", "double", "1e-6")),
     around_body("mesh around no body", "bal", "mesh/body: unknown body 'bal' (did you mean 'ball'?)", parameter("body", "string", "bal"), ranks=BOTH),
     around_body("mesh around a body with sides that are too small", "ball",
                 "mesh/size near body: 0.02 is more than the largest size, 0.01", parameter("size near body", "double", "0.02"),

@@ -1,5 +1,6 @@
 #include "materials/skeleton/drucker_prager.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/pi.hpp"
@@ -46,6 +47,16 @@ void DruckerPrager::check(const Section& section) const {
   if (dilation > friction)
     section.fail("the dilation angle must not be greater than the friction angle", "dilation angle [deg]");
   if (direct && dilation_slope > slope) section.fail("must not be greater than the cone slope", "dilation slope");
+}
+
+void DruckerPrager::reduce_strength(double factor) {
+  cohesion /= factor;
+  friction = angle_over(factor, friction);
+  dilation = std::min(dilation, friction);
+  intercept /= factor;
+  slope /= factor;
+  dilation_slope = std::min(dilation_slope, slope);
+  tensile /= factor;
 }
 
 void DruckerPrager::prepare() {

@@ -33,6 +33,8 @@ struct DruckerPrager : ConeTip {
 
   void parameters(Parameters& p);
   void check(const Section& section) const;
+  /// c, tan(phi) (or eta and k of a direct cone) and the tensile strength are divided by `factor`; psi is at most phi.
+  void reduce_strength(double factor);
   /// Computes slopes and intercept of a matched cone.
   void prepare();
   static std::vector<StateVariable> state();

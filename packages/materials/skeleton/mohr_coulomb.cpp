@@ -1,5 +1,6 @@
 #include "materials/skeleton/mohr_coulomb.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/pi.hpp"
@@ -34,6 +35,13 @@ void MohrCoulomb::check(const Section& section) const {
   if (!(cohesion.value > 0.0) && !(cohesion.gradient > 0.0))
     section.fail("must be positive somewhere, for the rounded tip of the cone; for a clean sand give about 100 Pa",
                  "cohesion");
+}
+
+void MohrCoulomb::reduce_strength(double factor) {
+  reduction_ = factor;
+  friction = angle_over(factor, friction);
+  dilation = std::min(dilation, friction);
+  tensile /= factor;
 }
 
 void MohrCoulomb::prepare() {

@@ -34,6 +34,8 @@ struct MohrCoulomb : ConeTip {
 
   void parameters(Parameters& p);
   void check(const Section& section) const;
+  /// c, tan(phi) and the tensile strength are divided by `factor`; psi is at most phi.
+  void reduce_strength(double factor);
   /// Computes constants from the parameters.
   void prepare();
   static std::vector<StateVariable> state();
@@ -66,6 +68,7 @@ struct MohrCoulomb : ConeTip {
     return m;
   }
 
+  double reduction_ = 1;  // [-] factor by which the cohesion of a point is divided
   double sine_ = 0, cosine_ = 1, dilation_sine_ = 0, dilation_cosine_ = 1;
   LodeShape yield_shape_, potential_shape_, tension_shape_;
 };
@@ -89,7 +92,7 @@ KOKKOS_INLINE_FUNCTION FrictionalModel MohrCoulomb::model(double c, const double
 template <class T>
 KOKKOS_INLINE_FUNCTION bool MohrCoulomb::update(const SkeletonPoint& in, const T* strain, const double* state_old,
                                                 T* stress, double* state) const {
-  return integrate_point(model(state_old[cohesion_here], in.stress), integration, in, strain,
+  return integrate_point(model(state_old[cohesion_here] / reduction_, in.stress), integration, in, strain,
                          state_old[plastic_shear_strain], stress, state[plastic_shear_strain]);
 }
 

@@ -15,7 +15,7 @@ namespace mudline {
 /// second order in its size, so that the accumulated error of many steps is of first order. The initial b is the one
 /// that gives the initial stress. The tangent comes by automatic differentiation. Code: tension positive, [Pa].
 struct NeoHookean {
-  static constexpr bool volume_apart = true;
+  static constexpr bool volume_apart = true, no_strength = true;
   enum { left_cauchy_green_strain, state_size = 6 };
 
   double young = 1e7;    // [Pa] at small strain

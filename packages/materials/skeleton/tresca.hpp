@@ -38,6 +38,8 @@ struct Tresca {
 
   void parameters(Parameters& p);
   void check(const Section& section) const;
+  /// The strength is divided by `factor`, with its rate and softening; a stiffness from the rigidity index stays.
+  void reduce_strength(double factor) { reduction_ = factor; }
   void prepare() { shape_ = LodeShape::mohr_coulomb(0.0, transition); }
   static std::vector<StateVariable> state();
   std::string initialise(const InitialPoint& point, double* state) const;
@@ -59,6 +61,7 @@ struct Tresca {
                                      double* state) const;
 
  private:
+  double reduction_ = 1;  // [-] factor by which the strength of a point is divided
   LodeShape shape_;
 };
 
@@ -131,7 +134,7 @@ KOKKOS_INLINE_FUNCTION T Tresca::rate_factor(const T* strain, double dt) const {
 template <class T>
 KOKKOS_INLINE_FUNCTION bool Tresca::update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
                                            double* state) const {
-  const double intact = state_old[strength_here];
+  const double intact = state_old[strength_here] / reduction_;
   const ElasticModuli m = moduli(in.stress, in.void_ratio, state_old);
   const TrescaModel<T> model{{m.bulk, m.shear}, shape_,    intact * rate_factor(strain, in.dt),
                              1.0 / sensitivity, ductility, intact};

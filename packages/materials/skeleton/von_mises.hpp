@@ -25,6 +25,10 @@ struct VonMises {
 
   void parameters(Parameters& p);
   void check(const Section& section) const;
+  /// The yield stress is divided by `factor`, with its hardening.
+  void reduce_strength(double factor) {
+    for (double* part : {&yield_stress, &hardening, &saturation}) *part /= factor;
+  }
   static std::vector<StateVariable> state();
   std::string initialise(const InitialPoint&, double* state) const {
     state[equivalent_plastic_strain] = 0.0;

@@ -26,6 +26,8 @@ class PointDriver {
     EXPECT_EQ(reason_, "");
   }
 
+  double strength_factor = 1.0;  // [-] by which the law divides its strengths
+
   std::vector<double>& state() { return state_; }
   const std::array<double, 6>& stress() const { return stress_; }
   const std::array<double, 6>& strain() const { return strain_; }
@@ -47,8 +49,9 @@ class PointDriver {
     }
     e(0, 0) = void_ratio_;
     for (int c = 0; c < n; ++c) old_state(0, c) = state_[c];
-    const int failures =
-        law_.evaluate({1, 0.0, 0.0, tangent != nullptr, old_stress, de, e, old_state, s, now, t, failed, plane});
+    SkeletonWorkset workset{1, 0.0, 0.0, tangent != nullptr, old_stress, de, e, old_state, s, now, t, failed, plane};
+    workset.strength_factor = strength_factor;
+    const int failures = law_.evaluate(workset);
     EXPECT_EQ(failures, failed(0));
     for (int c = 0; c < 6; ++c) stress[c] = s(0, c);
     state.assign(now.data(), now.data() + n);

@@ -193,6 +193,7 @@ int StressUpdate::run_law(const SoilMaterial& material, int row, int begin, int 
   w.failed = Kokkos::View<int*>(failed_.data() + begin, count);
   w.plane = soil_.geometry != Geometry::space;
   w.increment = view_.increment;
+  w.strength_factor = soil_.strength_factor(view_.time_end - view_.increment.stage_start);
   if (material.skeleton->wants_surroundings()) w.surroundings = part(input_.surroundings, begin);
   LawFailure failure;
   const int failures = evaluate_guarded(*material.skeleton, w, failure);

@@ -1,0 +1,33 @@
+#include "simulation/results/safety.hpp"
+
+#include <algorithm>
+
+#include "simulation/model.hpp"
+#include "simulation/output/history_file.hpp"
+
+namespace mudline {
+
+namespace {
+
+const std::string reduction_name = "strength reduction";
+
+/// The factor of the committed state.
+double strength_factor(const RunView& run) {
+  return run.model.soil() ? run.model.soil()->strength_factor(run.state.time - run.stage_start) : 1.0;
+}
+
+}  // namespace
+
+void SafetyResults::columns(const RunView& run, std::vector<HistoryValue>& row) {
+  const auto& stages = run.model.stages();
+  if (std::any_of(stages.begin(), stages.end(), [](const auto& stage) { return stage->strength_reduction.acts(); }))
+    row.push_back({reduction_name + "/factor", "-", strength_factor(run)});
+}
+
+void SafetyResults::end_stage(const RunView& run) {
+  if (!(run.lost_factor > 0)) return;
+  table_.set(run.stage.name, reduction_name, "factor of safety", "-", strength_factor(run));
+  table_.set(run.stage.name, reduction_name, "factor without equilibrium", "-", run.lost_factor);
+}
+
+}  // namespace mudline

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "simulation/observer.hpp"
+#include "simulation/results/result_table.hpp"
+
+namespace mudline {
+
+/// The factor by which a strength reduction divides strengths, in the history, and the factor of safety that a stage
+/// finds by it, in the results.
+class SafetyResults : public Observer {
+ public:
+  /// `table`: kept with the run's progress.
+  explicit SafetyResults(ResultTable& table) : table_(table) {}
+  void columns(const RunView& run, std::vector<HistoryValue>& row) override;
+  void end_stage(const RunView& run) override;
+
+ private:
+  ResultTable& table_;
+};
+
+}  // namespace mudline
