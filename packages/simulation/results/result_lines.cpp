@@ -6,6 +6,7 @@
 
 #include "core/told.hpp"
 #include "simulation/results/dissipation.hpp"
+#include "simulation/results/safety.hpp"
 
 namespace mudline {
 
@@ -22,6 +23,7 @@ class Line {
     for (const char* force : forces_) add_force(force);
     add_excess("excess pore pressure");
     add_excess(wall_pressure);
+    add_safety();
     add_rest();
     return parts_.empty() ? "" : head() + of_ + ": " + parts_;
   }
@@ -118,6 +120,13 @@ class Line {
     for (const double x : at)
       place += (place.empty() ? "" : ", ") + told(std::abs(x) > rounding * farthest ? x : 0.0, "%.4g");
     return place.empty() ? "" : " at (" + place + ")";
+  }
+
+  /// A factor of safety with its bracket, in more digits than others.
+  void add_safety() {
+    const Result *const found = take(factor_of_safety), *const lost = take(factor_without_equilibrium);
+    if (found == nullptr || lost == nullptr) return;
+    add("factor of safety " + told(found->value, "%.5g") + "; no equilibrium at " + told(lost->value, "%.5g"));
   }
 
   /// What observers of plugins have set.

@@ -26,8 +26,8 @@ void SafetyResults::columns(const RunView& run, std::vector<HistoryValue>& row) 
 
 void SafetyResults::end_stage(const RunView& run) {
   if (!(run.lost_factor > 0)) return;
-  table_.set(run.stage.name, reduction_name, "factor of safety", "-", strength_factor(run));
-  table_.set(run.stage.name, reduction_name, "factor without equilibrium", "-", run.lost_factor);
+  table_.set(run.stage.name, reduction_name, factor_of_safety, "-", strength_factor(run));
+  table_.set(run.stage.name, reduction_name, factor_without_equilibrium, "-", run.lost_factor);
 }
 
 }  // namespace mudline

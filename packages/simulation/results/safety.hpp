@@ -5,6 +5,9 @@
 
 namespace mudline {
 
+constexpr const char* factor_of_safety = "factor of safety";  // names of results
+constexpr const char* factor_without_equilibrium = "factor without equilibrium";
+
 /// The factor by which a strength reduction divides strengths, in the history, and the factor of safety that a stage
 /// finds by it, in the results.
 class SafetyResults : public Observer {

@@ -70,5 +70,13 @@ TEST(ResultLines, LeaveOutTheFirstWhereTheyAreMany) {
   EXPECT_EQ(result_lines(pile_that_is_pushed_and_pulled(), 2), expected);
 }
 
+TEST(ResultLines, FactorOfSafetyHasItsBracket) {
+  ResultTable table;
+  table.set("safety", "strength reduction", "factor of safety", "-", 1.3816);
+  table.set("safety", "strength reduction", "factor without equilibrium", "-", 1.3847);
+  EXPECT_EQ(result_lines(table, 5), std::vector<std::string>{"safety, strength reduction: factor of safety 1.3816; no "
+                                                             "equilibrium at 1.3847"});
+}
+
 }  // namespace
 }  // namespace mudline
