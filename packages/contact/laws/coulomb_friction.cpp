@@ -36,7 +36,7 @@ void CoulombFriction::parameters(Parameters& p) {
 }
 
 void CoulombFriction::check(const Section& section) const {
-  /// Refuses one of two entries that have a meaning only together.
+  // refuses one of two entries that have a meaning only together.
   const auto pair = [&](const char* value, const char* over, double length, const std::string& needs) {
     if (section.has_parameter(value) && !(length > 0)) section.fail("a " + std::string(value) + needs, over);
     if (section.has_parameter(over) && !section.has_parameter(value))
