@@ -1,6 +1,7 @@
 // Plausibility checks of contacts: penalties, friction, and loads beside them.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "checks/body_setup.hpp"
 
@@ -69,27 +70,43 @@ void friction(const ContactSetup& of, const Judge& judge) {
             "it is the tangent of the interface's angle: 20 degrees is 0.36");
 }
 
-void kinetic(const ContactSetup& of, const Judge& judge) {
-  const double at_rest = number_in(friction_of(of), "coefficient", 0);
-  if (friction_of(of).has_parameter("kinetic coefficient") && at_rest > 0)
-    judge(number_in(friction_of(of), "kinetic coefficient", 0) / at_rest,
-          of.called() + ": the kinetic over the friction coefficient", "sliding surfaces have the lower one");
+/// Judges another coefficient of friction that the deck gives, "kinetic" or "residual", over the first one.
+void judge_over_coefficient(const ContactSetup& of, const std::string& other, const char* advice, const Judge& judge) {
+  const std::string entry = other + " coefficient";
+  const double first = number_in(friction_of(of), "coefficient", 0);
+  if (friction_of(of).has_parameter(entry) && first > 0)
+    judge(number_in(friction_of(of), entry, 0) / first,
+          of.called() + ": the " + other + " over the friction coefficient", advice);
 }
 
-/// A function of the friction law where it is a constant; 0 where it is absent or follows time or place.
-double constant_in(const ContactSetup& of, const char* entry) {
+void kinetic(const ContactSetup& of, const Judge& judge) {
+  judge_over_coefficient(of, "kinetic", "sliding surfaces have the lower one", judge);
+}
+
+void residual(const ContactSetup& of, const Judge& judge) {
+  judge_over_coefficient(of, "residual", "surfaces that have slid have the lower one", judge);
+}
+
+/// A function of the friction law where the deck gives it as a constant.
+std::optional<double> constant_in(const ContactSetup& of, const char* entry) {
+  if (!friction_of(of).has_parameter(entry)) return std::nullopt;
   Function value;
   Parameters(friction_of(of)).add(entry, value, "", "");
-  return value.is_constant() ? value(0, {}) : 0.0;
+  return value.is_constant() ? std::optional<double>(value(0, {})) : std::nullopt;
+}
+
+/// Judges a function of the friction law that the deck gives as a constant.
+void judge_constant(const ContactSetup& of, const char* entry, const char* advice, const Judge& judge) {
+  if (const auto value = constant_in(of, entry)) judge(*value, of.called() + ": its '" + entry + "'", advice);
 }
 
 void adhesion(const ContactSetup& of, const Judge& judge) {
-  const double value = constant_in(of, "adhesion");
+  const double value = constant_in(of, "adhesion").value_or(0.0);
   if (value > 0) judge(value, of.called() + ": its 'adhesion'", "give it in Pa (1 to 100 may be kPa)");
 }
 
 void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
-  const double value = constant_in(of, "adhesion");
+  const double value = constant_in(of, "adhesion").value_or(0.0);
   if (value > 0 && of.soil.strength > 0)
     judge(value / of.soil.strength,
           of.called() + ": its 'adhesion' over the largest undrained strength at the surface, " +
@@ -98,23 +115,14 @@ void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
 }
 
 void cap(const ContactSetup& of, const Judge& judge) {
-  const double value = constant_in(of, "cap");
-  if (value > 0) judge(value, of.called() + ": its 'cap'", "give it in Pa (1 to 100 may be kPa)");
+  judge_constant(of, "cap", "give it in Pa (1 to 100 may be kPa)", judge);
 }
 
 void alpha(const ContactSetup& of, const Judge& judge) {
-  const double value = constant_in(of, "alpha");
-  if (value > 0)
-    judge(value, of.called() + ": its 'alpha'",
-          "it is a share of the touching soil's undrained strength: the soil shears before an interface that is "
-          "stronger");
-}
-
-void residual(const ContactSetup& of, const Judge& judge) {
-  const double peak = number_in(friction_of(of), "coefficient", 0);
-  if (friction_of(of).has_parameter("residual coefficient") && peak > 0)
-    judge(number_in(friction_of(of), "residual coefficient", 0) / peak,
-          of.called() + ": the residual over the friction coefficient", "surfaces that have slid have the lower one");
+  judge_constant(
+      of, "alpha",
+      "it is a share of the touching soil's undrained strength: the soil shears before an interface that is stronger",
+      judge);
 }
 
 void tangential(const ContactSetup& of, const Judge& judge) {

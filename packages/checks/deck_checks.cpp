@@ -157,26 +157,23 @@ void check_supports(Model& model, const Section& deck, const MeshParts& parts) {
 }
 
 /// Refuses contact laws that read the undrained strength of a soil that has none. Collective.
-void check_strengths(const Model& model, const Section& deck) {
+void check_read_strengths(const Model& model) {
   for (const auto& [name, contact] : model.contacts()) {
     const ContactPartners partners = contact->partners();
     if (!partners.strength_reader) continue;
-    const auto& materials = model.soil()->materials;
     double without = -1;  // number of a material
     for (const Side& side : model.mesh().side_sets().at(partners.surface)) {
       const SoilBlock& b = model.soil()->blocks[side.block];
       const SoilPoints points(*model.soil(), b, model.store().committed());
       for (int row = side.element * b.points; row < (side.element + 1) * b.points; ++row)
         if (!points.soil_state(row).undrained_strength)
-          for (std::size_t m = 0; m < materials.size(); ++m)
-            if (materials[m].get() == &points.material(row)) without = std::max(without, static_cast<double>(m));
+          without = std::max<double>(without, points.material_number(row));
     }
     without = max_over_ranks(*model.mesh().comm(), without);
     if (without < 0) continue;
-    const std::string& material = materials[static_cast<std::size_t>(without)]->name;
-    const std::string law = deck.section("materials").section(material).section("skeleton").text("type");
+    const SoilMaterial& material = *model.soil()->materials[static_cast<std::size_t>(without)];
     partners.strength_reader->fail("this law reads the undrained strength of the soil at '" + partners.surface +
-                                       "'; the law '" + law + "' of material '" + material + "' has none",
+                                       "'; the law '" + material.law + "' of material '" + material.name + "' has none",
                                    "type");
   }
 }
@@ -266,7 +263,7 @@ void check_deck(Model& model, const Section& deck) {
   check_in_situ(model, deck);
   if (model.space().find("displacement") >= 0) {
     const MeshParts parts = mesh_parts(model.mesh());
-    check_strengths(model, deck);
+    check_read_strengths(model);
     check_parts(model, deck, parts);
     check_supports(model, deck, parts);
   }

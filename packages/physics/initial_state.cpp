@@ -189,7 +189,9 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (kind_ == Kind::uniform) set_pressure(soil, store, [&](double) { return pressure_; });
   std::string problem;
   bool any_strength = false;
+  const bool from_strength = has_strength_ || has_strength_ratio_;
   for (const SoilBlock& b : soil.blocks) {
+    const SoilPoints points(soil, b, state);
     for (int e = 0; e < b.elements; ++e)
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
@@ -222,8 +224,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
                                        ? start_guarded(*material.skeleton, point,
                                                        state.arrays[b.law].data() + row * state.arrays[b.law].extent(1))
                                        : rest;
-        if (reason.empty())
-          any_strength = any_strength || SoilPoints(soil, b, state).soil_state(row).undrained_strength;
+        if (from_strength && reason.empty()) any_strength = any_strength || points.soil_state(row).undrained_strength;
         if (!reason.empty() && problem.empty())
           problem = "material '" + material.name + "' cannot start at " +
                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
@@ -233,9 +234,11 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   agree(*soil.space->dofs()->comm(), [&] {
     if (!problem.empty()) section.fail(problem);
   });
-  int there = any_strength, anywhere = 0;
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_MAX, 1, &there, &anywhere);
-  if ((has_strength_ || has_strength_ratio_) && anywhere == 0)
+  if (!from_strength) return;
+  const int there = any_strength;
+  int anywhere = 0;
+  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_MAX, there, Teuchos::outArg(anywhere));
+  if (anywhere == 0)
     section.fail("no soil of this model has a law with an undrained strength",
                  has_strength_ ? "undrained strength" : "undrained strength ratio");
 }

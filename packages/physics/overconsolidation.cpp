@@ -3,9 +3,9 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <vector>
 
+#include "core/told.hpp"
 #include "materials/guarded_law.hpp"
 
 namespace mudline {
@@ -14,12 +14,6 @@ namespace {
 
 constexpr double largest_ratio = 1e4;  // of overconsolidation
 constexpr double flat = 1e-9;          // relative change of a strength that does not follow the ratio
-
-std::string pascal(const char* format, double one, double two) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, one, two);
-  return text;
-}
 
 /// The undrained strength of a point for its overconsolidation ratio.
 class StrengthOfRatio {
@@ -53,13 +47,12 @@ class StrengthOfRatio {
 std::string overconsolidate(const SoilMaterial& material, double strength,
                             const std::function<std::string(InitialPoint&)>& rest, InitialPoint& point) {
   if (!(strength > 0)) return "the undrained strength must be positive";
+  const auto wanted = [&] { return told(strength, "an undrained strength of %.4g Pa"); };
   StrengthOfRatio strength_of(material, rest, point);
   const double least = strength_of(1);
   if (std::isnan(least)) return strength_of.problem;
   if (std::abs(least / strength - 1) < flat) return "";
-  if (strength < least)
-    return pascal("an undrained strength of %.4g Pa is less than that of normally consolidated soil, %.4g Pa", strength,
-                  least);
+  if (strength < least) return wanted() + " is less than that of normally consolidated soil, " + told(least, "%.4g Pa");
   // a bracket that grows: a law may refuse ratios far beyond the one that is wanted
   double low = 1, high = 1, at_low = least, at_high = least;
   while (at_high < strength) {
@@ -72,8 +65,7 @@ std::string overconsolidate(const SoilMaterial& material, double strength,
       return "the undrained strength of the law '" + material.law +
              "' does not follow from an overconsolidation ratio; give it in 'skeleton'";
     if (high > largest_ratio)
-      return pascal("an undrained strength of %.4g Pa needs an overconsolidation ratio above %.4g", strength,
-                    largest_ratio);
+      return wanted() + " needs an overconsolidation ratio above " + told(largest_ratio, "%.4g");
   }
   std::uintmax_t evaluations = 100;
   const auto root = boost::math::tools::toms748_solve(

@@ -29,7 +29,9 @@ class SoilPoints {
         ratios_(block.permeability >= 0 ? state.arrays[block.permeability] : PointView()),
         numbers_(block.conductivity >= 0 ? state.arrays[block.conductivity] : PointView()) {}
 
-  const SoilMaterial& material(int row) const { return *(*materials_)[static_cast<int>(which_(row, 0))]; }
+  /// Number of a point's material in Soil::materials.
+  int material_number(int row) const { return static_cast<int>(which_(row, 0)); }
+  const SoilMaterial& material(int row) const { return *(*materials_)[material_number(row)]; }
   const double* stress(int row) const { return &stress_(row, 0); }
   double void_ratio(int row) const { return void_ratio_(row, 0); }
   double porosity(int row) const { return void_ratio(row) / (1 + void_ratio(row)); }

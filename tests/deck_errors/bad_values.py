@@ -47,17 +47,22 @@ REDUCTION = section("strength reduction")
 LARGEST = parameter("largest factor", "double", "2")
 
 
-def with_reduction(name, message, at, entries=LARGEST, kind="quasi-static", step=parameter("initial", "double", "1e-4"), skeleton=None,
-                   **where):
+def with_reduction(name, message, at, entries=LARGEST, kind="quasi-static", step=parameter("initial", "double", "1e-4"),
+                   skeleton=None, **where):
     """The deck whose push reduces the strength of `skeleton`, (type, entries...) in place of the clay's law."""
-    push = section("push") + "\n" + parameter("type", "string", kind) + "\n" + PUSHED + "\n" + REDUCTION + "\n" + entries + \
-        "</ParameterList>\n" + section("time step") + "\n" + step + "</ParameterList></ParameterList>\n"
-    law = section("skeleton") + "\n" + "".join(parameter(*entry) + "\n" for entry in skeleton) + "</ParameterList>\n" if skeleton else SKELETON
+    push = section("push") + "\n" + parameter("type", "string", kind) + "\n" + PUSHED + "\n" + REDUCTION + "\n" + \
+        entries + "</ParameterList>\n" + section("time step") + "\n" + step + "</ParameterList></ParameterList>\n"
+    law = SKELETON
+    if skeleton:
+        entries_of_law = "".join(parameter(*entry) + "\n" for entry in skeleton)
+        law = section("skeleton") + "\n" + entries_of_law + "</ParameterList>\n"
     return Wrong(name, [(whole("push"), push), (SKELETON, law)], message, at=at, **where)
 
 
-ELASTIC = [("type", "string", "linear elastic"), ("Young's modulus", "double", "1e7"), ("Poisson's ratio", "double", "0.3")]
-CONE = [("type", "string", "mohr-coulomb"), *ELASTIC[1:], ("cohesion", "double", "5e3"), ("friction angle [deg]", "double", "25")]
+ELASTIC = [("type", "string", "linear elastic"), ("Young's modulus", "double", "1e7"),
+           ("Poisson's ratio", "double", "0.3")]
+CONE = [("type", "string", "mohr-coulomb"), *ELASTIC[1:], ("cohesion", "double", "5e3"),
+        ("friction angle [deg]", "double", "25")]
 LAWS_OF_STRENGTH = "mohr-coulomb, drucker-prager, tresca, von mises"
 
 
@@ -129,24 +134,32 @@ DECKS = [
              "stages/push/ends when/enough: needs one of 'rises to', 'falls to' and 'falls by'; it has 'rises to' and 'falls by'",
              section("enough")),
     with_reduction("strengths of a law that does not name them",
-                   "stages/push/strength reduction: the law 'modified cam clay' of material 'clay' has no strengths that could be divided by a "
-                   f"factor; allowed: {LAWS_OF_STRENGTH}, and elastic laws beside them", REDUCTION, ranks=BOTH),
+                   "stages/push/strength reduction: the law 'modified cam clay' of material 'clay' has no strengths that "
+                   f"could be divided by a factor; allowed: {LAWS_OF_STRENGTH}, and elastic laws beside them", REDUCTION, ranks=BOTH),
     with_reduction("strengths of elastic soil",
-                   f"stages/push/strength reduction: no soil of the deck has a strength; needed: a material with one of {LAWS_OF_STRENGTH}",
+                   "stages/push/strength reduction: no soil of the deck has a strength; needed: a material with one of "
+                   + LAWS_OF_STRENGTH,
                    REDUCTION, skeleton=ELASTIC),
-    with_reduction("strengths with inertia", "stages/push/type: a stage with a strength reduction looks for equilibrium: its type must be "
-                   "'quasi-static'; given 'dynamic'", parameter("type", "string", "dynamic"), kind="dynamic", skeleton=CONE),
-    with_reduction("strengths without a factor", "stages/push/strength reduction: required parameter 'largest factor' is missing", REDUCTION,
+    with_reduction("strengths with inertia",
+                   "stages/push/type: a stage with a strength reduction looks for equilibrium: its type must be "
+                   "'quasi-static'; given 'dynamic'", parameter("type", "string", "dynamic"), kind="dynamic",
+                   skeleton=CONE),
+    with_reduction("strengths without a factor",
+                   "stages/push/strength reduction: required parameter 'largest factor' is missing", REDUCTION,
                    entries="", skeleton=CONE),
-    with_reduction("strengths by a factor of 1", "stages/push/strength reduction/largest factor: 1 is out of range; allowed: (1, 1000)",
-                   parameter("largest factor", "double", "1"), entries=parameter("largest factor", "double", "1"), skeleton=CONE),
+    with_reduction("strengths by a factor of 1",
+                   "stages/push/strength reduction/largest factor: 1 is out of range; allowed: (1, 1000)",
+                   parameter("largest factor", "double", "1"), entries=parameter("largest factor", "double", "1"),
+                   skeleton=CONE),
     with_reduction("strengths with a smallest step",
-                   "stages/push/time step/minimum: the smallest step of a strength reduction follows from its 'resolution'",
+                   "stages/push/time step/minimum: the smallest step of a strength reduction follows from its "
+                   "'resolution'",
                    parameter("minimum", "double", "1e-6"), skeleton=CONE,
                    step=parameter("initial", "double", "1e-4") + "\n" + parameter("minimum", "double", "1e-6")),
-    with_reduction("strengths in small steps", "stages/push/time step/initial: the factor of the strength reduction grows by 0.001 in the "
-                   "first step; allowed: its resolution of 0.005 or more", parameter("initial", "double", "1e-6"), skeleton=CONE,
-                   step=parameter("initial", "double", "1e-6")),
+    with_reduction("strengths in small steps",
+                   "stages/push/time step/initial: the factor of the strength reduction grows by 0.001 in the first "
+                   "step; allowed: its resolution of 0.005 or more", parameter("initial", "double", "1e-6"),
+                   skeleton=CONE, step=parameter("initial", "double", "1e-6")),
     around_body("mesh around no body", "bal", "mesh/body: unknown body 'bal' (did you mean 'ball'?)", parameter("body", "string", "bal"), ranks=BOTH),
     around_body("mesh around a body with sides that are too small", "ball",
                 "mesh/size near body: 0.02 is more than the largest size, 0.01", parameter("size near body", "double", "0.02"),

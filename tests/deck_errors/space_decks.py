@@ -214,10 +214,10 @@ DECKS = [
     with_pair("closing distance of a pair", parameter("closing distance", "double", "0.1"),
               "contacts/face/closing distance: has a meaning only with 'initial gap' = closed or in-situ stress; here it is as placed"),
     with_ball("share of a strength that the soil does not have",
-              [(BODY, BODY + section("friction") + parameter("type", "string", "coulomb") + parameter("coefficient", "double", "1.0")
-                + parameter("alpha", "double", "0.5") + "</ParameterList>")],
-              "contacts/face/friction/type: this law reads the undrained strength of the soil at 'top'; the law 'linear elastic' of "
-              "material 'soil' has none", at=parameter("type", "string", "coulomb"), ranks=BOTH),
+              [(BODY, BODY + section("friction") + parameter("type", "string", "coulomb")
+                + parameter("coefficient", "double", "1.0") + parameter("alpha", "double", "0.5") + "</ParameterList>")],
+              "contacts/face/friction/type: this law reads the undrained strength of the soil at 'top'; the law "
+              "'linear elastic' of material 'soil' has none", at=parameter("type", "string", "coulomb"), ranks=BOTH),
     with_pair("heat share without friction", parameter("slave heat share", "double", "0.5"),
               "contacts/face/slave heat share: has a meaning only with 'friction', which makes the heat"),
     with_pair("heat share without temperature", parameter("slave heat share", "double", "0.5"),

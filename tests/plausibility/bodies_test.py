@@ -79,7 +79,8 @@ MISTAKES = [
     ("pushed", {TOUCH + "friction/coefficient": 20.0}, "friction coefficient"),
     ("pushed", {TOUCH + "friction/coefficient": 1.5}, "friction coefficient"),
     ("pushed", {TOUCH + "friction/kinetic coefficient": 0.5, TOUCH + "friction/decay speed": 0.1}, "kinetic friction"),
-    ("pushed", {TOUCH + "friction/residual coefficient": 0.5, TOUCH + "friction/residual slip": 0.01}, "residual friction"),
+    ("pushed", {TOUCH + "friction/residual coefficient": 0.5, TOUCH + "friction/residual slip": 0.01},
+     "residual friction"),
     ("pushed", {TOUCH + "friction/alpha": 40.0}, "friction alpha"),                           # per cent
     ("pushed", {TOUCH + "friction/adhesion": 2.0}, "adhesion"),                               # kPa
     ("pushed", {TOUCH + "friction/adhesion": 2e4}, "adhesion over strength"),

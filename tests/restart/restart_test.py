@@ -341,16 +341,20 @@ class Outputs(RestartCase):
         """Whatever of the results is not there at the end ends the run with an error."""
         moved = os.path.join(self.folder, "moved")
         csv, folder = self.result("ball", ".csv"), os.path.join(self.folder, "results")
-        no_lock = shutil.ignore_patterns("*.lock")  # the run removes its lock when it ends, which may be during the copy
 
         def copy_back():
             os.rename(csv, csv + ".old")
             shutil.copy(csv + ".old", csv)
 
+        def replace_folder():
+            os.rename(folder, moved)
+            # the run removes its lock when it ends, which may be during the copy
+            shutil.copytree(moved, folder, ignore=shutil.ignore_patterns("*.lock"))
+
         for what, lose, expected in (
                 ("folder removed", lambda: shutil.rmtree(folder, ignore_errors=True), ""),
                 ("folder moved", lambda: os.rename(folder, moved), ""),
-                ("folder replaced", lambda: (os.rename(folder, moved), shutil.copytree(moved, folder, ignore=no_lock)), "ball.csv: the history was"),
+                ("folder replaced", replace_folder, "ball.csv: the history was"),
                 ("history removed", lambda: os.remove(csv), "ball.csv: the history was removed by another program"),
                 ("history replaced", copy_back, "ball.csv: the history was re"),
                 ("history emptied", lambda: open(csv, "w").close(), "ball.csv: the history was changed by another program"),

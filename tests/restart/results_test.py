@@ -1,5 +1,4 @@
 """The results of a run: depth, resistance and dissipation of each stage in <stem>.results.csv, the same after a restart."""
-import csv
 import math
 import os
 import unittest
@@ -13,11 +12,6 @@ DURATION = 833.3333333333333  # of Terzaghi's deck, a time factor of 1
 
 
 class Results(RestartCase):
-    def results(self, name):
-        """Values by stage, what they are of, and quantity."""
-        with open(self.result(name, ".results.csv"), newline="") as file:
-            return {(row["stage"], row["of"], row["quantity"]): float(row["value"]) for row in csv.DictReader(file)}
-
     def test_dissipation(self):
         for ranks in (1, 2):
             self.runs(TERZAGHI, *COLUMN, *settings("stages/consolidation/duration=1000"), "--overwrite", ranks=ranks)
@@ -78,8 +72,8 @@ class Sounding(RestartCase):
 
     def test_figures(self):
         self.runs(*self.deck)
-        with open(self.result("cone", ".results.csv"), newline="") as file:
-            found = {(row["stage"], row["quantity"]): float(row["value"]) for row in csv.DictReader(file) if row["of"] == "sounding"}
+        found = {(stage, quantity): value for (stage, of, quantity), value in self.results("cone").items()
+                 if of == "sounding"}
         history = History(self.result("cone", ".csv"))
         tip = history["body/cone/position y"]
         net, u2 = (history[f"cone/sounding/{name}"] for name in ("net cone resistance", "excess pore pressure at the filter"))

@@ -103,6 +103,11 @@ class MudlineCase(unittest.TestCase):
         stem = name or os.path.splitext(os.path.basename(decks[0]))[0]
         return History(os.path.join(self.folder, "results", stem + ".csv"))
 
+    def results(self, name):
+        """Values of a run's results by stage, what they are of, and quantity."""
+        with open(os.path.join(self.folder, "results", name + ".results.csv"), newline="", encoding="utf-8") as file:
+            return {(row["stage"], row["of"], row["quantity"]): float(row["value"]) for row in csv.DictReader(file)}
+
     def assert_error(self, what, error, tolerance):
         """The error is within the tolerance; with MUDLINE_SHOW_ERRORS it is told."""
         if os.environ.get("MUDLINE_SHOW_ERRORS"):

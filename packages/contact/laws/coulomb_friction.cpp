@@ -5,6 +5,14 @@
 
 namespace mudline {
 
+namespace {
+
+ShearStrength lesser(const ShearStrength& one, const ShearStrength& other) {
+  return one.value > other.value ? other : one;
+}
+
+}  // namespace
+
 void CoulombFriction::parameters(Parameters& p) {
   p.required("coefficient", coefficient_, "-", non_negative(),
              "Friction coefficient: tangent of the interface's angle");
@@ -36,15 +44,16 @@ void CoulombFriction::parameters(Parameters& p) {
 }
 
 void CoulombFriction::check(const Section& section) const {
-  // refuses one of two entries that have a meaning only together.
-  const auto pair = [&](const char* value, const char* over, double length, const std::string& needs) {
-    if (section.has_parameter(value) && !(length > 0)) section.fail("a " + std::string(value) + needs, over);
-    if (section.has_parameter(over) && !section.has_parameter(value))
-      section.fail("has a meaning only together with a '" + std::string(value) + "'", over);
+  // Refuses one of two entries that have a meaning only together.
+  const auto pair = [&](const std::string& value, const std::string& scale, double given, const char* unit) {
+    if (section.has_parameter(value) && !(given > 0))
+      section.fail("a " + value + " needs a " + scale + " greater than 0 " + unit, scale);
+    if (section.has_parameter(scale) && !section.has_parameter(value))
+      section.fail("has a meaning only together with a '" + value + "'", scale);
   };
-  pair("kinetic coefficient", "decay speed", decay_speed_, " needs a decay speed greater than 0 m/s");
-  pair("residual coefficient", "residual slip", residual_slip_, " needs a residual slip greater than 0 m");
-  pair("rate coefficient", "reference speed", reference_speed_, " needs a reference speed greater than 0 m/s");
+  pair("kinetic coefficient", "decay speed", decay_speed_, "m/s");
+  pair("residual coefficient", "residual slip", residual_slip_, "m");
+  pair("rate coefficient", "reference speed", reference_speed_, "m/s");
   if (section.has_parameter("rate coefficient") && !by_soil_)
     section.fail("has a meaning only together with 'alpha'", "rate coefficient");
   const auto not_negative = [&](const char* entry, const Function& value) {
@@ -77,20 +86,15 @@ ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
   }
   ShearStrength result{stuck, 0};
   if (normal > 0) result = {stuck + now * normal, by_normal + now, by_rate * normal};
-  if (capped_) {
-    const double cap = cap_(at.time, at.position), limit = cap > 0 ? cap : 0.0;
-    if (result.value > limit) result = {limit, 0};
-  }
-  return by_soil_ ? limited_by_soil(result, at) : result;
+  if (capped_) result = lesser(result, {std::max(0.0, cap_(at.time, at.position)), 0});
+  return by_soil_ ? lesser(result, limit_of_soil(at)) : result;
 }
 
-ShearStrength CoulombFriction::limited_by_soil(const ShearStrength& strength, const FrictionPoint& at) const {
+ShearStrength CoulombFriction::limit_of_soil(const FrictionPoint& at) const {
   const double at_rest = std::max(0.0, alpha_(at.time, at.position) * at.soil.undrained_strength);
-  if (!(rate_coefficient_ > 0) || !(at.rate > reference_speed_))
-    return strength.value > at_rest ? ShearStrength{at_rest, 0} : strength;
-  const double limit = at_rest * (1 + rate_coefficient_ * std::log10(at.rate / reference_speed_));
-  const double by_rate = at_rest * rate_coefficient_ / (at.rate * std::log(10.0));
-  return strength.value > limit ? ShearStrength{limit, 0, by_rate} : strength;
+  if (!(rate_coefficient_ > 0) || !(at.rate > reference_speed_)) return {at_rest, 0};
+  const double per_decade = at_rest * rate_coefficient_;
+  return {at_rest + per_decade * std::log10(at.rate / reference_speed_), 0, per_decade / (at.rate * std::log(10.0))};
 }
 
 }  // namespace mudline

@@ -18,8 +18,8 @@ class CoulombFriction : public Friction {
   bool reads_slip() const override { return residual_slip_ > 0; }
 
  private:
-  /// Adds a limit to the strength: alpha times the touching soil's undrained strength.
-  ShearStrength limited_by_soil(const ShearStrength& strength, const FrictionPoint& at) const;
+  /// alpha times the touching soil's undrained strength, at the speed.
+  ShearStrength limit_of_soil(const FrictionPoint& at) const;
 
   double coefficient_ = 0, kinetic_ = 0, residual_ = 0;
   double decay_speed_ = 0;    // [m/s] 0: one coefficient at all speeds

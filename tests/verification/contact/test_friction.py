@@ -39,7 +39,9 @@ class Sliding(ContactCase):
 
 class Alpha(ContactCase):
     """The strength of an interface as a share of the touching soil's present undrained strength."""
-    ALPHA = ("contacts/face/friction/coefficient=50", "contacts/face/friction/on=total", "contacts/face/friction/alpha=0.6")
+    ALPHA = ("contacts/face/friction/coefficient=50", "contacts/face/friction/on=total",
+             "contacts/face/friction/alpha=0.6")
+    STIFF = {"type": "tresca", "rigidity index": 1e4, "Poisson's ratio": 0.3}  # so that it hardly moves
 
     def pulled(self, skeleton, settings=(), ranks=1):
         """History of the plate that is pulled along soil of this law, a section of a deck."""
@@ -47,20 +49,18 @@ class Alpha(ContactCase):
             text = file.read()
         start = text.index('<ParameterList name="skeleton">')
         end = text.index("</ParameterList>", start)
-        entries = "".join(f'<Parameter name="{key}" type="{"string" if isinstance(value, str) else "double"}" value="{value}"/>\n'
-                          for key, value in skeleton.items())
-        deck = self.write("pulled.xml", text[:start] + '<ParameterList name="skeleton">\n' + entries + text[end:])
+        law = deck_text("skeleton", skeleton)
+        deck = self.write("pulled.xml", text[:start] + law + text[end + len("</ParameterList>"):])
         return self.run_deck(deck, (*self.ALPHA, *settings), ranks, extra=("--overwrite",))
 
     def test_strength_of_the_place(self):
-        """The soil is strong enough not to shear itself (alpha < 1), and so stiff that it hardly moves. Nodes at the ends, where the
-        soil loses touch, and beside a jump are left out."""
-        tresca = {"type": "tresca", "rigidity index": 1e4, "Poisson's ratio": 0.3}
+        """The soil is strong enough not to shear itself (alpha < 1). Nodes at the ends, where the soil loses touch, and
+        beside a jump are left out."""
         # the strength at the surface, not in the middle of the first row of elements
         for text, strength, away in (("1000*(1 + x) + 4000*(0.5 - y)", lambda x: 1000 * (1 + x), 0.0),
                                      ("1000*(1 + 2*(x>1))", lambda x: np.where(x > 1, 3000.0, 1000.0), 0.3)):
             for ranks in (1, 2):
-                self.pulled({**tresca, "undrained strength": text}, ("mesh/distortion=0",), ranks)
+                self.pulled({**self.STIFF, "undrained strength": text}, ("mesh/distortion=0",), ranks)
                 x, shear = self.surface("pulled", 0.5, SHEAR)
                 inside = (x > 0.3) & (x < 1.7) & (np.abs(x - 1) >= away)
                 self.assertGreater(inside.sum(), 5)
@@ -68,25 +68,28 @@ class Alpha(ContactCase):
 
     def test_speed(self):
         """100 times the reference speed and 20 % a decade."""
-        history = self.pulled({"type": "tresca", "rigidity index": 1e4, "Poisson's ratio": 0.3, "undrained strength": 1e3},
-                              ("contacts/face/friction/rate coefficient=0.2", "contacts/face/friction/reference speed=1e-4"))
+        history = self.pulled({**self.STIFF, "undrained strength": 1e3},
+                              ("contacts/face/friction/rate coefficient=0.2",
+                               "contacts/face/friction/reference speed=1e-4"))
         stress = -history["contact/face/friction x"][-1] / history["contact/face/contact area"][-1]
         self.assert_within("shear stress", stress, 0.6 * 1e3 * 1.4, 1e-3)
 
     def test_set_up(self):
-        """Clay that has consolidated under the plate has the strength of its new specific volume v: s_u = M/2 p0 2^-Lambda before, and
-        exp(decrease of v / lambda) times that after."""
+        """Clay that has consolidated under the plate has the strength of its new specific volume v: s_u = M/2 p0
+        2^-Lambda before, and exp(decrease of v / lambda) times that after."""
         ratio, compression, swelling, stress, void_ratio, height = 1.0, 0.2, 0.04, 20e3, 1.0, 0.5
         rollers = {side: {"type": "fixed", "set": side, "components": "x"} for side in ("left", "right")}
-        plate = {"position": [0.0, height], "contour": {"type": "polyline", "extent": "full", "x": [-10.0, 10.0], "y": [0.0, 0.0]},
-                 "motion": {"type": "prescribed displacement", "x": "0.02*(t>1e8)*(t-1e8)", "y": "-0.025*(t*(t<1e8)+1e8*(t>=1e8))/1e8"}}
+        plate = {"position": [0.0, height],
+                 "contour": {"type": "polyline", "extent": "full", "x": [-10.0, 10.0], "y": [0.0, 0.0]},
+                 "motion": {"type": "prescribed displacement", "x": "0.02*(t>1e8)*(t-1e8)",
+                            "y": "-0.025*(t*(t<1e8)+1e8*(t>=1e8))/1e8"}}
         deck = self.write("set_up.xml", deck_text("set_up", {
             "mesh": {"type": "box", "cell": "quad9", "cells": [4, 4], "upper": [1.0, height]},
             "materials": {"clay": {
                 "void ratio": void_ratio, "grain density": 2700.0, "fluid": {"type": "water"},
                 "permeability": {"type": "constant", "hydraulic conductivity": 1e-9},
-                "skeleton": {"type": "modified cam clay", "critical stress ratio": ratio, "compression slope": compression,
-                             "swelling slope": swelling, "Poisson's ratio": 0.3}}},
+                "skeleton": {"type": "modified cam clay", "critical stress ratio": ratio,
+                             "compression slope": compression, "swelling slope": swelling, "Poisson's ratio": 0.3}}},
             "physics": {"ground": {"type": "biot", "initial state": {
                 "type": "uniform", **{f"effective stress {axes}": stress for axes in ("xx", "yy", "zz")}}}},
             "bodies": {"plate": plate},

@@ -44,14 +44,19 @@ def components(step):
     return -step["effective_stress"][:][:, [0, 3, 5, 1]]
 
 
+def layer_fields(folder):
+    """Height, effective stress and preconsolidation pressure of the cells of the layers at the end."""
+    with h5py.File(os.path.join(folder, "results", "layers.h5"), "r") as file:
+        cells = file["mesh/topology"][:].reshape(-1, 10)[:, 1:]
+        y = file["mesh/coordinates"][:, 1][cells[:, :4]].mean(axis=1)
+        step = file["steps"][sorted(file["steps"])[-1]]["cell"]
+        return y, components(step), step["preconsolidation_pressure"][:].ravel()
+
+
 class Layers(StrengthCase):
     def stress(self, settings=()):
         self.run_deck(self.deck("initial_state", "layers"), settings)
-        with h5py.File(os.path.join(self.folder, "results", "layers.h5"), "r") as file:
-            cells = file["mesh/topology"][:].reshape(-1, 10)[:, 1:]
-            y = file["mesh/coordinates"][:, 1][cells[:, :4]].mean(axis=1)
-            step = file["steps"][sorted(file["steps"])[-1]]["cell"]
-            return y, components(step), step["preconsolidation_pressure"][:].ravel()
+        return layer_fields(self.folder)
 
     def test_stress_of_layers_with_a_lost_overburden(self):
         y, stress, preconsolidation = self.stress()
@@ -84,7 +89,8 @@ class Layers(StrengthCase):
 
 
 class FromStrength(StrengthCase):
-    """The clay between sand and gravel by its undrained strength, M/2 p (pc/2p)^Lambda, or by that over the vertical stress."""
+    """The clay between sand and gravel by its undrained strength, M/2 p (pc/2p)^Lambda, or by that over the vertical
+    stress."""
     START = "physics/ground/initial state/"
 
     def layers(self, entry, value):
@@ -92,7 +98,8 @@ class FromStrength(StrengthCase):
             text = file.read()
         lost = '<Parameter name="preoverburden pressure" type="double" value="50e3"/>'
         self.assertIn(lost, text)
-        return self.write("layers.xml", text.replace(lost, f'<Parameter name="{entry}" type="string" value="{value}"/>'))
+        found = f'<Parameter name="{entry}" type="string" value="{value}"/>'
+        return self.write("layers.xml", text.replace(lost, found))
 
     def preconsolidation(self, y, strength):
         """pc [Pa] for which the clay has this strength at the height y."""
@@ -109,14 +116,12 @@ class FromStrength(StrengthCase):
         return state(brentq(lacks, 1.0, 100.0, xtol=1e-13))[1]
 
     def test_strength_and_its_ratio(self):
-        for entry, value, strength in (("undrained strength", "5e3 - 4e3*y", lambda y: 5e3 - 4e3 * y),
-                                       ("undrained strength ratio", "0.4 + 0.02*y", lambda y: (0.4 + 0.02 * y) * vertical(y))):
+        for entry, value, strength in (
+                ("undrained strength", "5e3 - 4e3*y", lambda y: 5e3 - 4e3 * y),
+                ("undrained strength ratio", "0.4 + 0.02*y", lambda y: (0.4 + 0.02 * y) * vertical(y))):
             for ranks in (1, 2):
                 self.run_deck(self.layers(entry, value), ranks=ranks, extra=("--overwrite",))
-                with h5py.File(os.path.join(self.folder, "results", "layers.h5"), "r") as file:
-                    cells = file["mesh/topology"][:].reshape(-1, 10)[:, 1:]
-                    y = file["mesh/coordinates"][:, 1][cells[:, :4]].mean(axis=1)
-                    found = file["steps"][sorted(file["steps"])[-1]]["cell"]["preconsolidation_pressure"][:].ravel()
+                y, _, found = layer_fields(self.folder)
                 clay = (y > -5) & (y < -2)
                 self.assertEqual(clay.sum(), 12)
                 for height, pc in zip(y[clay], found[clay]):
@@ -126,13 +131,17 @@ class FromStrength(StrengthCase):
     def test_refusals(self):
         deck = self.layers("undrained strength", "20e3")
         for settings, words in (
-                (("undrained strength=1e3",), "an undrained strength of 1000 Pa is less than that of normally consolidated soil, "),
+                (("undrained strength=1e3",),
+                 "an undrained strength of 1000 Pa is less than that of normally consolidated soil, "),
                 (("undrained strength=-1e3",), "the undrained strength must be positive"),
                 (("undrained strength=9e9",), "what the strength of 'modified cam clay' under sigma'_v = "),
-                (("overconsolidation ratio=2",), "undrained strength: give either this or 'overconsolidation ratio', not both"),
-                (("undrained strength ratio=0.3",), "undrained strength ratio: give either this or 'undrained strength', not both"),
+                (("overconsolidation ratio=2",),
+                 "undrained strength: give either this or 'overconsolidation ratio', not both"),
+                (("undrained strength ratio=0.3",),
+                 "undrained strength ratio: give either this or 'undrained strength', not both"),
                 (("type=uniform", "undrained strength ratio=0.3"), "give either this"),
-                (("type=stress free",), "without stress there is no overconsolidation; give the strength in 'skeleton'")):
+                (("type=stress free",),
+                 "without stress there is no overconsolidation; give the strength in 'skeleton'")):
             with self.subTest(settings=settings):
                 arguments = [word for setting in settings for word in ("--set", self.START + setting)]
                 done = program(["check", deck, *arguments], 1, self.folder)
@@ -141,17 +150,20 @@ class FromStrength(StrengthCase):
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1)
 
     def test_soils_whose_strength_is_another_matter(self):
-        for skeleton, words in (({"type": "linear elastic", "Young's modulus": 1e8, "Poisson's ratio": 0.3},
-                                 "undrained strength: no soil of this model has a law with an undrained strength"),
-                                ({"type": "tresca", "undrained strength": 1e4, "rigidity index": 100.0, "Poisson's ratio": 0.49},
-                                 "the undrained strength of the law 'tresca' does not follow from an overconsolidation ratio")):
+        tresca = {"type": "tresca", "undrained strength": 1e4, "rigidity index": 100.0, "Poisson's ratio": 0.49}
+        stress = {f"effective stress {axes}": 5e4 for axes in ("xx", "yy", "zz")}
+        for skeleton, words in (
+                ({"type": "linear elastic", "Young's modulus": 1e8, "Poisson's ratio": 0.3},
+                 "undrained strength: no soil of this model has a law with an undrained strength"),
+                (tresca, "the undrained strength of the law 'tresca' does not follow from an overconsolidation ratio")):
             deck = self.write("column.xml", deck_text("column", {
                 "mesh": {"type": "box", "cell": "quad9", "cells": [1, 2], "upper": [1.0, 2.0]},
                 "materials": {"clay": {"density": 1800.0, "skeleton": skeleton}},
                 "physics": {"ground": {"type": "solid", "initial state": {
-                    "type": "uniform", "undrained strength": 2e4, **{f"effective stress {axes}": 5e4 for axes in ("xx", "yy", "zz")}}}},
+                    "type": "uniform", "undrained strength": 2e4, **stress}}},
                 "boundary conditions": {"base": {"type": "fixed", "set": "bottom"}},
-                "stages": {"wait": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}}))
+                "stages": {"wait": {
+                    "type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}}))
             done = program(["check", deck], 1, self.folder)
             self.assertEqual(done.returncode, 2, done.stdout)
             self.assertIn(words, done.stderr)

@@ -1,6 +1,5 @@
-"""Factors of safety of slopes by strength reduction, against published ones; steps, restart, ranks, and what follows."""
-import csv
-import os
+"""Factors of safety of slopes by strength reduction, against published ones; steps, restart, ranks, and what
+follows."""
 import unittest
 
 import numpy as np
@@ -19,15 +18,15 @@ class Slope(StrengthCase):
         """The history of the slope's run."""
         return self.run_deck([self.deck("slope", name), *more], settings, ranks, extra=list(extra))
 
-    def results(self, name):
-        """The numbers of the strength reduction's results."""
-        with open(os.path.join(self.folder, "results", name + ".results.csv"), newline="", encoding="utf-8") as file:
-            return {row["quantity"]: float(row["value"]) for row in csv.DictReader(file) if row["of"] == "strength reduction"}
+    def found(self, name):
+        """What strength reductions found, by stage and quantity."""
+        return {(stage, quantity): value for (stage, of, quantity), value in self.results(name).items()
+                if of == "strength reduction"}
 
     def bracket(self, name):
         """The last factor with equilibrium and the first one without."""
-        results = self.results(name)
-        return results["factor of safety"], results["factor without equilibrium"]
+        found = self.found(name)
+        return found["safety", "factor of safety"], found["safety", "factor without equilibrium"]
 
     def test_homogeneous_slope(self):
         history = self.slope("homogeneous")
@@ -52,8 +51,8 @@ class Slope(StrengthCase):
         self.assertLess(abs(brackets[0][0] - brackets[1][0]), 0.01, brackets)
 
     def test_displacement_limit(self):
-        """Beyond the factor of safety the soil moves so much more that the limit hardly matters. Without one it flows on to
-        the largest factor: steps that converge say nothing alone."""
+        """Beyond the factor of safety the soil moves so much more that the limit hardly matters. Without one it flows
+        on to the largest factor: steps that converge say nothing alone."""
         limit = "stages/safety/strength reduction/displacement limit"
         found = []
         for value in (0.02, 0.08):
@@ -61,7 +60,7 @@ class Slope(StrengthCase):
             found.append(self.bracket("undrained")[0])
         self.assertLess(found[1] / found[0] - 1, 0.01, found)
         self.slope("undrained", [f"{limit}=0.5"])
-        self.assertEqual(self.results("undrained"), {})
+        self.assertEqual(self.found("undrained"), {})
 
     def test_ranks(self):
         one = self.slope("homogeneous", COARSE)
@@ -71,12 +70,12 @@ class Slope(StrengthCase):
         self.assertEqual(self.bracket("homogeneous"), bracket)
 
     def test_restart(self):
-        """A run that is interrupted within the reduction goes on with the same factor, bit for bit, and ends alike; what is
-        over stays so. The factor's growth can no longer change."""
+        """A run that is interrupted within the reduction goes on with the same factor, bit for bit, and ends alike; what
+        is over stays so. The factor's growth can no longer change."""
         whole = self.slope("homogeneous", COARSE).data
-        results = self.results("homogeneous")
+        results = self.found("homogeneous")
         self.slope("homogeneous", COARSE, extra=["--overwrite", "--steps", "9"])
-        self.assertEqual(self.results("homogeneous"), {})
+        self.assertEqual(self.found("homogeneous"), {})
         for entry, value in (("duration", 2), ("strength reduction/largest factor", 3)):
             done = program(["run", "-q", self.deck("slope", "homogeneous"), "--restart", "--set", *COARSE, "--set",
                             f"stages/safety/{entry}={value}"], 1, self.folder)
@@ -85,10 +84,11 @@ class Slope(StrengthCase):
         for _ in range(2):
             again = self.slope("homogeneous", COARSE, extra=["--restart"]).data
             self.assertTrue(np.array_equal(again, whole))
-            self.assertEqual(self.results("homogeneous"), results)
+            self.assertEqual(self.found("homogeneous"), results)
 
     def test_next_stage_has_whole_strengths(self):
-        """After the reduction the strengths are whole: the slope stays, and a second reduction finds the factor again."""
+        """After the reduction the strengths are whole: the slope stays, and a second reduction finds the factor
+        again."""
         reduction = {
             "type": "quasi-static",
             "duration": 1.0,
@@ -98,8 +98,8 @@ class Slope(StrengthCase):
         rest = {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.5}}
         more = self.write("more.xml", deck_text("more", {"stages": {"rest": rest, "again": reduction}}))
         history = self.slope("homogeneous", COARSE, more=[more])
-        with open(os.path.join(self.folder, "results", "homogeneous.results.csv"), newline="", encoding="utf-8") as file:
-            found = {row["stage"]: float(row["value"]) for row in csv.DictReader(file) if row["quantity"] == "factor of safety"}
+        found = {stage: value for (stage, quantity), value in self.found("homogeneous").items()
+                 if quantity == "factor of safety"}
         self.assertEqual(set(found), {"safety", "again"})
         self.assertLess(abs(found["again"] - found["safety"]), 0.01, found)
         resting = np.flatnonzero(np.diff(history[FACTOR]) < -0.1)[0] + 1  # the first step of the rest
@@ -111,16 +111,18 @@ class Slope(StrengthCase):
         """Strengths that are functions of the place, or grow with depth, are reduced as plain numbers are."""
         plain = self.slope("homogeneous", COARSE)
         skeleton = "materials/soil/skeleton"
-        varied = self.slope("homogeneous", [*COARSE, f"{skeleton}/cohesion=10e3 + 0*y", f"{skeleton}/friction angle [deg]=20 + 0*x"])
+        functions = [f"{skeleton}/cohesion=10e3 + 0*y", f"{skeleton}/friction angle [deg]=20 + 0*x"]
+        varied = self.slope("homogeneous", [*COARSE, *functions])
         self.assert_same_run(plain, varied, [FACTOR, "probe/crest/displacement y"], "functions of the place", 1e-6)
 
     def test_factor_that_is_not_reached(self):
         done = program(["run", self.deck("slope", "homogeneous"), "--set", *COARSE, "--set",
-                        "stages/safety/strength reduction/largest factor=1.1", "--set", "stages/safety/time step/initial=0.5"],
-                       1, self.folder)
+                        "stages/safety/strength reduction/largest factor=1.1", "--set",
+                        "stages/safety/time step/initial=0.5"], 1, self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("stage 'safety' ends in equilibrium: the factor of safety is above the largest factor, 1.1", done.stderr)
-        self.assertEqual(self.results("homogeneous"), {})
+        self.assertIn("stage 'safety' ends in equilibrium: the factor of safety is above the largest factor, 1.1",
+                      done.stderr)
+        self.assertEqual(self.found("homogeneous"), {})
 
 
 if __name__ == "__main__":
