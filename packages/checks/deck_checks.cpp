@@ -178,6 +178,75 @@ void check_read_strengths(const Model& model) {
   }
 }
 
+/// Refuses contacts that read the pore pressure of soil which is not saturated under suction. Collective.
+void check_read_pressures(const Model& model, const Section& deck) {
+  for (const auto& [name, contact] : model.contacts()) {
+    const ContactPartners partners = contact->partners();
+    if (!partners.pressure_reader) continue;
+    double drying = 0;
+    for (const Side& side : model.mesh().side_sets().at(partners.surface))
+      if (model.soil()->blocks[side.block].dries) drying = 1;
+    if (max_over_ranks(*model.mesh().comm(), drying) > 0)
+      deck.section("contacts")
+          .section(name)
+          .fail(
+              "friction on the effective traction, films and laws that read the pore pressure are for saturated soil; "
+              "that "
+              "at '" +
+                  partners.surface + "' has a 'retention'. Allowed: friction 'on' = total, without a film",
+              "type");
+  }
+}
+
+/// Nodes of soil that is saturated at all suctions, by local node.
+std::vector<char> saturated_nodes(const Model& model) {
+  std::vector<char> result(model.mesh().num_nodes(), 0);
+  for (const SoilBlock& b : model.soil()->blocks)
+    for (int e = 0; e < (b.dries ? 0 : b.elements); ++e)
+      for (int a = 0; a < b.u.nodes; ++a) result[b.nodes(e, a)] = 1;
+  return result;
+}
+
+/// Refuses pore pressures that from the start let water into saturated soil which a geostatic start holds by suction:
+/// the soil would swell by as much water as the suction's end asks for. Collective.
+void check_suction(const Model& model, const Section& deck) {
+  const Soil& soil = *model.soil();
+  if (soil.pressure < 0 || soil.excess) return;
+  bool geostatic = false;
+  for (const std::string& name : deck.section("physics").section_names())
+    geostatic =
+        geostatic || Setup::word(deck.section("physics").section(name).section("initial state"), "type") == "geostatic";
+  const auto first = std::find_if(model.stages().begin(), model.stages().end(),
+                                  [](const auto& stage) { return stage->type != Stage::Type::geostatic; });
+  if (!geostatic || first == model.stages().end()) return;
+  const std::vector<char> saturated = saturated_nodes(model);
+  const State& state = model.store().committed();
+  const auto& dof = soil.space->node_dof(soil.pressure);
+  constexpr double limit = 1000;  // [Pa] 0.1 m of water
+  for (const auto& condition : model.conditions()) {
+    if (!Setup::acts(condition->name, **first)) continue;
+    Constraints held(model.space().dofs()->num_overlap_dofs());
+    condition->prescribe(0, 1e-6 * (*first)->duration, state, held);
+    std::string problem;
+    double most = limit;
+    for (int node = 0; node < model.mesh().num_nodes(); ++node) {
+      if (dof(node) < 0 || !held.mask(dof(node)) || !saturated[node]) continue;
+      const double before = state.value(dof(node)), given = held.value(dof(node));
+      if (before > -limit || given - before <= most) continue;
+      most = given - before;
+      problem = "prescribes the pore pressure " + number_text(given) + " Pa at " +
+                place_text(model.mesh().place(node), model.mesh().dimension()) + ", where the start has a suction of " +
+                number_text(-before) +
+                " Pa above its water level: saturated soil would draw in water and swell. Allowed: type 'seepage face' "
+                "(open to the air, no water enters), a value that begins at this suction and changes with time, or a "
+                "'retention' of the material";
+    }
+    agree(*model.mesh().comm(), [&] {
+      if (!problem.empty()) deck.section("boundary conditions").fail(problem, condition->name);
+    });
+  }
+}
+
 /// Refuses conditions and contacts that no stage lists, and bodies and properties that nothing uses.
 void check_unused(const Model& model, const Section& deck) {
   const Section conditions = deck.section("boundary conditions"), contacts = deck.section("contacts");
@@ -245,6 +314,8 @@ void check_probes(const Model& model, const OutputSettings& output, const Sectio
 void check_error_estimate(const Model& model, const OutputSettings& output, const Section& deck) {
   if (output.error_estimate && !model.soil())
     deck.section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
+  if (output.error_estimate && model.soil()->dries())
+    deck.section("output").fail("it is for saturated soil; a material has a 'retention'", "error estimate");
   const Ale* ale = model.ale();
   if (ale && ale->remeshing() && ale->remeshing()->adaptive() && !output.error_estimate)
     deck.section("mesh motion")
@@ -264,6 +335,8 @@ void check_deck(Model& model, const Section& deck) {
   if (model.space().find("displacement") >= 0) {
     const MeshParts parts = mesh_parts(model.mesh());
     check_read_strengths(model);
+    check_read_pressures(model, deck);
+    check_suction(model, deck);
     check_parts(model, deck, parts);
     check_supports(model, deck, parts);
   }

@@ -97,8 +97,11 @@ void GroundProfile::add_row(const Soil& soil, const SoilBlock& b, const State& s
   add("vertical effective stress", "Pa", vertical);
   add("horizontal effective stress", "Pa", horizontal);
   add("K0", "-", vertical > 0 ? horizontal / vertical : none);
-  if (const int place = place_of_scalar(b, soil.pressure); place >= 0)
-    add("pore pressure", "Pa", b.scalar_at(element, point, place, state.value));
+  if (const int place = place_of_scalar(b, soil.pressure); place >= 0) {
+    const double pressure = b.scalar_at(element, point, place, state.value);
+    add("pore pressure", "Pa", pressure);
+    if (soil.dries()) add("saturation", "-", material.retention.saturation(pressure));
+  }
   const SoilState found = points.soil_state(row);
   const double shear = points.moduli(row).shear;
   if (found.overconsolidation_ratio) add("overconsolidation ratio", "-", *found.overconsolidation_ratio);

@@ -97,13 +97,17 @@ void suction(const Setup& setup, const Judge& judge) {
   const Soil& soil = *setup.model().soil();
   if (!setup.porous() || soil.excess) return;
   const State& state = setup.model().store().committed();
-  const auto& dof = soil.space->node_dof(soil.pressure);
   double lowest = 0;
-  for (int node = 0; node < setup.mesh().num_nodes(); ++node)
-    if (dof(node) >= 0) lowest = std::min(lowest, state.value(dof(node)));
+  for (const SoilBlock& b : soil.blocks) {
+    if (b.dries) continue;
+    for (int e = 0; e < b.elements; ++e)
+      for (int c = 0; c < b.p.nodes; ++c)
+        lowest = std::min(lowest, state.value(b.dofs(e, setup.dimension() * b.u.nodes + c)));
+  }
   lowest = min_over_ranks(*setup.mesh().comm(), lowest);
   judge(0.0 - lowest, "the suction at the start, above the water level",
-        "the soil is saturated everywhere: put the water level at the surface, or begin the mesh at the water level "
+        "soil without a 'retention' is saturated everywhere: give it one, put the water level at the surface, or begin "
+        "the mesh at the water level "
         "with the soil above as 'surcharge' and load; or widen the range where capillary water reaches that high");
 }
 

@@ -44,6 +44,7 @@ struct ContactPartners {
   const RigidBody* body = nullptr;         // null: two surfaces
   bool shear = false;                      // friction may act along the surface
   std::optional<Section> strength_reader;  // the law that reads the undrained strength of the surface's soil
+  bool pressure_reader = false;            // its laws or its film read the soil's pore pressure
 };
 
 /// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact

@@ -33,7 +33,12 @@ struct PointwiseParameters : TwoSurfaceParameters, PartParameters {
 class PointwisePairContact : public PointContact {
  public:
   ContactPartners partners() const override {
-    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr, laws_.strength_reader()};
+    return {deck_.slave,
+            deck_.master,
+            nullptr,
+            laws_.friction() != nullptr,
+            laws_.strength_reader(),
+            laws_.read_pore_pressure()};
   }
   bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void declare_state(StateStore& store) override;

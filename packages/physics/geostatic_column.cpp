@@ -75,7 +75,7 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
   for (std::size_t i = 1; i < layers_.size(); ++i) {
     const Layer &above = layers_[i - 1], &here = layers_[i];
     if (here.top <= above.bottom + tolerance || here.material == above.material) continue;
-    const bool varying = here.material->void_ratio_varies() || above.material->void_ratio_varies();
+    const bool varying = here.varies() || above.varies();
     if (!varying && std::abs(here.constant_density() - above.constant_density()) < 1e-9 &&
         here.fluid_density == above.fluid_density)
       continue;  // regions of the same weight side by side
@@ -93,7 +93,7 @@ void GeostaticColumn::weigh(double surcharge, const Density& density) {
   for (const Layer& layer : layers_) {
     const double from = std::min(layer.top, y);
     if (from <= layer.bottom) continue;
-    const bool varying = layer.material->void_ratio_varies();
+    const bool varying = layer.varies();
     const int n = varying ? parts : 1;
     const double h = (from - layer.bottom) / n;
     const auto slope = [&](double height, double total) {

@@ -17,15 +17,15 @@ class GeostaticColumn {
   /// Finds the layers. `gravity` [m/s2] downwards; without a water level [m] the soil is dry. InputError where regions
   /// of different density, of soil or pore fluid, lie side by side. Collective.
   GeostaticColumn(const Soil& soil, double gravity, std::optional<double> water_level, const Section& section);
-  /// Density [kg/m3] of a material at a height [m] under a total vertical stress [Pa].
+  /// Density [kg/m3] of a material at a height [m] under a total vertical stress [Pa], with the water at that height.
   using Density = std::function<double(const SoilMaterial& material, double y, double total)>;
   /// Integrates the vertical stress. surcharge: stress on the top [Pa] besides that of the water above it. `density` is
-  /// called only for layers whose density comes from the law.
+  /// called only for layers whose density varies with the depth.
   void weigh(double surcharge, const Density& density);
 
   double total_stress(double y) const;
-  /// Pressure [Pa] of water at rest; negative (a suction) above the water level, since all soil is saturated. Water
-  /// above the top has the density of the uppermost layer's fluid.
+  /// Pressure [Pa] of water at rest; negative (a suction) above the water level. Water above the top has the density of
+  /// the uppermost layer's fluid.
   double pore_pressure(double y) const;
 
  private:
@@ -34,6 +34,7 @@ class GeostaticColumn {
     double uplift;  // [kg/m3] reduction of the density by uplift where pore pressures are in excess of water at rest
     double fluid_density;  // [kg/m3] 0 where there is no pore pressure
     const SoilMaterial* material;
+    bool varies() const { return material->void_ratio_varies() || material->retention.acts(); }
     double constant_density() const { return material->density(material->initial_porosity()) - uplift; }
   };
   struct Station {

@@ -156,12 +156,12 @@ GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& 
                          number_text(y) + "; use a stage of type 'geostatic' from a uniform state",
                      "type");
     point.overconsolidation_ratio = ocr_(0, point.position);
-    std::string problem =
-        at_rest(point, total - material.biot_coefficient * column.pore_pressure(y), soil.up, material);
+    std::string problem = at_rest(point, total - material.acting(column.pore_pressure(y)), soil.up, material);
     if (problem.empty()) problem = material.find_void_ratio(point);
     if (!problem.empty())
       section.fail("material '" + material.name + "' cannot start at the height " + std::to_string(y) + ": " + problem);
-    return material.density(point.void_ratio / (1 + point.void_ratio));
+    return material.density(point.void_ratio / (1 + point.void_ratio),
+                            material.retention.saturation(column.pore_pressure(y)));
   };
   column.weigh(surcharge_, density);
   return column;
@@ -207,7 +207,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
           rest = overconsolidate(
               material, strength_(0, point.position), [](InitialPoint&) { return ""; }, point);
         if (kind_ == Kind::geostatic) {
-          const double pressure = material.biot_coefficient * ground->pore_pressure(point.height);
+          const double pressure = material.acting(ground->pore_pressure(point.height));
           rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, material);
         }
         if (rest.empty()) rest = material.find_void_ratio(point);

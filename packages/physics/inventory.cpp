@@ -52,9 +52,12 @@ Inventory take_inventory(const Soil& soil, const State& state) {
             const double squeezed = mixture.temperature >= 0
                                         ? std::expm1(pressed - mixture.fluid_expansion * (warmth - mixture.reference))
                                         : pressed;
-            local[5] += n * (1 + squeezed) * s.dv;
+            double air = 0;  // share of the pores, by the saturation of the nodes as in pore_air()
+            for (int c = 0; c < (b.dries ? Loop::NS : 0); ++c)
+              air += s.Np[c] * (1 - mixture.retention.saturation(level.value(b.dofs(e, Loop::MU + c))));
+            local[5] += n * (1 + squeezed - air) * s.dv;
             local[6] += n * s.dv;
-            local[7] += n * squeezed * s.dv;
+            local[7] += n * (squeezed - air) * s.dv;
           }
         });
       }

@@ -4,6 +4,7 @@
 
 #include "framework/point_fields.hpp"
 #include "materials/pore_volume.hpp"
+#include "materials/retention.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline {
@@ -23,6 +24,7 @@ struct Mixture {
       reference;              // [degC]
   Conductivity conductivity;  // of saturated soil
   double unit_weight;         // unit weight of its fluid [N/m3]
+  Retention retention;
   bool viscosity_follows;     // whether the viscosity of the water depends on the temperature
   int pressure, temperature;  // indices among the scalar fields of the block that is looped over; -1: absent
 
@@ -42,6 +44,7 @@ struct Mixture {
     reference = soil.reference_temperature;
     if (material.permeability) conductivity = material.permeability->in_kernels();
     unit_weight = fluid ? fluid->unit_weight() : 0.0;
+    retention = material.retention;
     viscosity_follows = soil.viscosity_follows;
     pressure = place_of_scalar(fields, soil.pressure);
     temperature = place_of_scalar(fields, soil.temperature);
@@ -72,7 +75,19 @@ struct Mixture {
     if constexpr (S > 0)
       if (temperature >= 0)
         return (1.0 - n) * grain_density_at(at.value[temperature]) + n * fluid_density_at(at.value[temperature]);
-    return (1.0 - n) * grain_density + n * fluid_density;
+    return (1.0 - n) * grain_density + n * saturation(at) * fluid_density;
+  }
+  /// Share of the pores that water fills.
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION T saturation(const PointFields<C, S, T>& at) const {
+    if constexpr (S > 0)
+      if (pressure >= 0) return retention.saturation(at.value[pressure]);
+    return T(1.0);
+  }
+  /// The part of a pore pressure that acts in the total stress [Pa].
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T acting(const T& pore_pressure) const {
+    return alpha * retention.acting(pore_pressure);
   }
   /// 1/viscosity of the water over that at the reference temperature (Vogel's formula) [-].
   template <class T>

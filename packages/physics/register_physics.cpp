@@ -1,4 +1,5 @@
 #include "physics/biot/fluid_mass.hpp"
+#include "physics/biot/pore_air.hpp"
 #include "physics/biot/pressure_projection.hpp"
 #include "physics/register.hpp"
 #include "physics/soil_physics.hpp"
@@ -31,7 +32,11 @@ class Biot : public SoilPhysics {
  protected:
   std::vector<std::string> scalar_fields() const override { return {"pore pressure"}; }
   void add_terms(PhysicsContext& context) override {
+    if (fluid_acceleration_ && soil_->dries())
+      context.materials_section.fail(
+          "'fluid acceleration' of the physics is for saturated soil; a material has a 'retention'");
     context.terms.push_back(fluid_mass(soil_, fluid_acceleration_));
+    if (soil_->dries()) context.terms.push_back(pore_air(soil_));
     if (pair_ == Pair::equal_order) context.terms.push_back(std::make_unique<PressureProjection>(soil_));
   }
 

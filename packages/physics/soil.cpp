@@ -41,7 +41,13 @@ void SoilMaterial::parameters(Parameters& p) {
   p.passes_on("fluid", "pore fluid; see the fluid types (saturated soil only)");
   p.passes_on("permeability", "conductivity law; see the permeability types (saturated soil only)");
   permeability_ratios.parameters(p);
+  if (p.documenting() || p.deck().has_section("retention"))
+    p.section("retention", retention, "water that the soil keeps under suction; without it the soil is saturated");
   if (p.documenting()) return;
+  if (retention.acts() && !p.deck().has_section("fluid"))
+    p.deck().fail("there is no 'fluid' that the pores could keep", "retention");
+  if (retention.acts() && (biot_coefficient != 1 || grain_bulk_modulus > 0))
+    p.deck().fail("it is for a 'Biot coefficient' of 1 and incompressible grains", "retention");
   if (permeability_ratios.given() && !p.deck().has_section("permeability"))
     p.deck().fail("there is no 'permeability' to which the ratios refer", "permeability ratios");
   const bool both = p.given("porosity") && p.given("void ratio"), none = !p.given("porosity") && !p.given("void ratio");
@@ -149,8 +155,8 @@ std::string SoilMaterial::find_void_ratio(InitialPoint& point) const {
   return "";
 }
 
-double SoilMaterial::density(double porosity) const {
-  return (1 - porosity) * grain_density + (fluid ? porosity * fluid->density() : 0.0);
+double SoilMaterial::density(double porosity, double saturation) const {
+  return (1 - porosity) * grain_density + (fluid ? saturation * porosity * fluid->density() : 0.0);
 }
 
 double SoilMaterial::storage(double porosity) const {
@@ -211,6 +217,10 @@ void Soil::declare_state(StateStore& store) {
 
 void Soil::sparsity(Assembler& assembler) {
   for (SoilBlock& b : blocks) b.group = b.mass.group = assembler.add_group(b.dofs);
+}
+
+bool Soil::dries() const {
+  return std::any_of(blocks.begin(), blocks.end(), [](const SoilBlock& b) { return b.dries; });
 }
 
 bool Soil::layered() const {
@@ -406,6 +416,8 @@ std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, 
     for (const auto& material : layers[elements.region])
       b.made_of.push_back(static_cast<int>(std::find(soil->materials.begin(), soil->materials.end(), material) -
                                            soil->materials.begin()));
+    b.dries =
+        std::any_of(b.made_of.begin(), b.made_of.end(), [&](int k) { return soil->materials[k]->retention.acts(); });
     const int own = degree > 0 ? degree : default_degree(elements.shape);
     static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, own);
     b.dilatation_terms = porous ? 0 : dilatation_terms(*soil, b, volume_strain);

@@ -11,6 +11,7 @@
 #include "framework/space.hpp"
 #include "framework/state.hpp"
 #include "materials/register_materials.hpp"
+#include "materials/retention.hpp"
 #include "physics/permeability_ratios.hpp"
 
 namespace mudline {
@@ -42,6 +43,7 @@ class SoilMaterial : public Material {
   std::shared_ptr<Fluid> fluid;                // null: single phase (total stress)
   std::shared_ptr<Permeability> permeability;  // null: single phase
   PermeabilityRatios permeability_ratios;
+  Retention retention;
   bool porous() const { return fluid != nullptr; }
   bool conductivity_varies() const { return permeability && permeability->varies(); }
   bool has_top = false;  // the soil lies below the height `top` [m], a function of the position at the start
@@ -55,8 +57,10 @@ class SoilMaterial : public Material {
   /// problem.
   std::string find_void_ratio(InitialPoint& point) const;
   double initial_porosity() const { return initial_void_ratio / (1 + initial_void_ratio); }
-  /// rho = n rho_f + (1-n) rho_s [kg/m3]; the void space is empty in a single-phase soil.
-  double density(double porosity) const;
+  /// rho = n S rho_f + (1-n) rho_s [kg/m3] with the saturation S; the void space is empty in a single-phase soil.
+  double density(double porosity, double saturation = 1) const;
+  /// The part of a pore pressure that acts in the total stress [Pa].
+  double acting(double pressure) const { return biot_coefficient * retention.acting(pressure); }
   /// 1/Q = n/K_f + (alpha - n)/K_s [1/Pa]
   double storage(double porosity) const;
 
@@ -74,6 +78,7 @@ struct SoilBlock : FieldBlock {
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
   int permeability = -1;  // state handle: tensor of PermeabilityRatios, turned with the soil; -1: all of ones
   int conductivity = -1;  // state handle: Permeability::numbers_at; -1: no number of its materials varies
+  bool dries = false;     // some of its materials has a retention
   bool porous() const { return scalars > 0; }
   FieldBlock mass;  // the same elements with enough points for a mass matrix of full rank
 };
@@ -115,6 +120,8 @@ struct Soil {
   std::vector<double> layer_shares(const SoilBlock& b, const std::vector<Point>& starts) const;
   /// Whether some region has more than one material.
   bool layered() const;
+  /// Whether some material has a retention: under suction it is not saturated.
+  bool dries() const;
   /// Any material of a block, for properties that all have in common (the pore fluid).
   const SoilMaterial& any_of(const SoilBlock& b) const { return *materials[b.made_of.front()]; }
   /// Fills SoilBlock::start. InputError through `section`, the deck's "materials", where soil lies above the tops of

@@ -21,6 +21,9 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   soil_->gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   soil_->up = gravity_.up(context.space.mesh().dimension());
   soil_->place_materials(context.materials_section);
+  if (excess_ && soil_->dries())
+    section.fail("a material has a 'retention': suction is counted from the air's pressure; allowed: total",
+                 "pore pressure");
   if (porous() && excess_) require_one_fluid_density(context.materials_section, "with 'pore pressure' = 'excess'");
   if (porous() && !excess_) soil_->water_gravity = soil_->gravity;
   context.terms.push_back(std::make_unique<StressDivergence>(soil_));

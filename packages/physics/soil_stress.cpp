@@ -62,7 +62,7 @@ std::array<double, 6> total_stress(const Soil& soil, const State& state, int blo
     const double pressure = b.porous() ? b.scalar_at(element, q, 0, state.value) : 0.0;
     for (int c = 0; c < 6; ++c) {
       const int row = element * b.points + q;
-      const double pores = c < 3 ? soil_at.material(row).biot_coefficient * pressure : 0.0;
+      const double pores = c < 3 ? soil_at.material(row).acting(pressure) : 0.0;
       result[c] += weights[q] * (soil_at.stress(row)[c] - pores);
     }
   }

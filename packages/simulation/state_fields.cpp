@@ -9,6 +9,8 @@
 #include "framework/nodal_exchange.hpp"
 #include "framework/surface_points.hpp"
 #include "integrator/overlap.hpp"
+#include "physics/mixture.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -216,6 +218,26 @@ std::vector<HistoryValue> state_sums(const Model& model) {
   return result;
 }
 
+namespace {
+
+/// Share of the pores that water fills, mean of each element.
+OutputField saturation(const Soil& soil, const State& state) {
+  OutputField result{"saturation", "-", 1, {}};
+  for (const SoilBlock& b : soil.blocks) {
+    const SoilPoints points(soil, b, state);
+    const int pressure = place_of_scalar(b, soil.pressure);
+    for (int e = 0; e < b.elements; ++e) {
+      double sum = 0;
+      for (int q = 0; q < b.points; ++q)
+        sum += points.material(e * b.points + q).retention.saturation(b.scalar_at(e, q, pressure, state.value));
+      result.values.push_back(sum / b.points);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<OutputField> cell_fields(const Model& model) {
   if (!model.soil()) return point_means(model, {});
   const State& state = model.store().committed();
@@ -241,6 +263,7 @@ std::vector<OutputField> cell_fields(const Model& model) {
     }
   }
   std::vector<OutputField> result{stress, mean, deviator, ratio};
+  if (model.soil()->dries()) result.push_back(saturation(*model.soil(), state));
   for (OutputField& field : layer_fields(model)) result.push_back(std::move(field));
   for (OutputField& field : point_means(model, done)) result.push_back(std::move(field));
   return result;

@@ -50,7 +50,7 @@ DECKS = [
           "bodies/ball/motion/ramptime: unknown parameter (did you mean 'ramp time'?)"),
     Wrong("condition type", ('value="fixed"', 'value="fix"'),
           "boundary conditions/base/type: unknown boundary condition type 'fix'; known types: displacement, velocity, fixed, "
-          "pore pressure, hydrostatic pressure, value, traction, pressure, flux, fluid supply, well, in-situ support, absorbing"),
+          "pore pressure, hydrostatic pressure, value, traction, pressure, flux, seepage face, fluid supply, well, in-situ support, absorbing"),
     Wrong("condition parameter", ('name="components"', 'name="component"'),
           "boundary conditions/axis/component: unknown parameter (did you mean 'components'?)"),
     Wrong("mesh set", ('value="bottom"', 'value="botom"'),

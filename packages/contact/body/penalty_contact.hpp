@@ -36,7 +36,12 @@ class PenaltyContact : public PointContact {
   void check(const Section& section);
 
   ContactPartners partners() const override {
-    return {deck_.surface, "", body_.get(), laws_.friction() != nullptr, laws_.strength_reader()};
+    return {deck_.surface,
+            "",
+            body_.get(),
+            laws_.friction() != nullptr,
+            laws_.strength_reader(),
+            laws_.read_pore_pressure()};
   }
   void declare_state(StateStore& store) override;
   void begin(const StepView& view) override;

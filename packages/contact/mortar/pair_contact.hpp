@@ -46,7 +46,12 @@ class PairContact : public Contact {
 
   std::string name() const override { return "contact/" + name_; }
   ContactPartners partners() const override {
-    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr, laws_.strength_reader()};
+    return {deck_.slave,
+            deck_.master,
+            nullptr,
+            laws_.friction() != nullptr,
+            laws_.strength_reader(),
+            laws_.read_pore_pressure()};
   }
   bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void predicting(bool on) override { predicting_ = on; }

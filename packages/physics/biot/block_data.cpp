@@ -7,6 +7,7 @@
 
 #include "discretisation/element_map.hpp"
 #include "framework/element_loop.hpp"
+#include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
 
 namespace mudline {
@@ -45,24 +46,29 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
       Loop::D == 2 ? 1.0 / 3 : 0.0;  // the drained modulus where the soil yields in every direction
   const RCP<const Map>& overlap = soil.space->dofs()->overlap();
   const SoilPoints points(soil, b, *view.committed);
+  const int pressure = place_of_scalar(b, soil.pressure);
   for (int e = 0; e < b.elements; ++e) {
     double q_e[Loop::NQ][Loop::NQ] = {}, l_e[Loop::NQ][Loop::NQ] = {};
-    loop.template for_each_point<false, true>(e, [&](int q, const typename Loop::Shape& s,
-                                                     const typename Loop::Fields&) {
-      const int row = e * b.points + q;
-      const ElasticModuli m = points.moduli(row);
-      const double mobility = b.porous() ? points.mobility(row) : 0.0;
-      const double values[6] = {
-          1,       m.bulk + 4.0 / 3 * m.shear, m.bulk + sideways * m.shear, points.density(row), points.storage(row),
-          mobility};
-      for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];
-      const double compliance = values[1] > 0 ? 1 / values[1] : 0.0;
-      for (int c = 0; c < NP; ++c)
-        for (int d = 0; d < NP; ++d) {
-          q_e[c][d] += s.dv * compliance * s.Np[c] * s.Np[d];
-          l_e[c][d] += s.dv * points.along_ratios(row, s.gp[c], s.gp[d], Loop::D);
-        }
-    });
+    loop.template for_each_point<false, true>(
+        e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
+          const int row = e * b.points + q;
+          const ElasticModuli m = points.moduli(row);
+          double mobility = b.porous() ? points.mobility(row) : 0.0, storage = points.storage(row);
+          if (const Retention& retention = points.material(row).retention; retention.acts()) {
+            const double p = at.value[pressure];
+            mobility *= retention.relative_permeability(p);
+            storage += points.porosity(row) * retention.saturation(Dual<1>(p, 0)).d[0];
+          }
+          const double values[6] = {
+              1, m.bulk + 4.0 / 3 * m.shear, m.bulk + sideways * m.shear, points.density(row), storage, mobility};
+          for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];
+          const double compliance = values[1] > 0 ? 1 / values[1] : 0.0;
+          for (int c = 0; c < NP; ++c)
+            for (int d = 0; d < NP; ++d) {
+              q_e[c][d] += s.dv * compliance * s.Np[c] * s.Np[d];
+              l_e[c][d] += s.dv * points.along_ratios(row, s.gp[c], s.gp[d], Loop::D);
+            }
+        });
     if constexpr (NP > 0) {
       GlobalOrdinal ids[NP];
       for (int c = 0; c < NP; ++c) ids[c] = overlap->getGlobalElement(b.dofs(e, Loop::D * Loop::NU + c));

@@ -65,6 +65,7 @@ struct Darcy {
   KOKKOS_INLINE_FUNCTION void minus_discharge(int row, const PointFields<C, S, T>& at, T (&w)[C::dim]) const {
     const Mixture& here = mixture(row);
     T kappa = mobility(row, porosity(row, at)), weight = here.fluid_density - lift;
+    if (here.retention.acts()) kappa = kappa * here.retention.relative_permeability(at.value[here.pressure]);
     if (warm(here)) {
       const T t = temperature(row, at);
       kappa = kappa * here.fluidity(t);

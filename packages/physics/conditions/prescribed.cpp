@@ -34,11 +34,13 @@ struct SetHead {  // the given value is the water level
   ConstCoordinateView x;
   Kokkos::Array<double, 3> up;
   double unit_weight;
+  bool below_only, suction;  // whether nothing is prescribed above the level, or a suction
   KOKKOS_FUNCTION void operator()(int i) const {
     double height = 0;
     for (int k = 0; k < static_cast<int>(x.extent(1)); ++k) height += up[k] * x(given(i).node, k);
     const double pressure = unit_weight * (given(i).value - height);
-    to.prescribe(given(i).dof, pressure > 0 ? pressure : 0.0);
+    if (pressure < 0 && below_only) return;
+    to.prescribe(given(i).dof, pressure > 0 || suction ? pressure : 0.0);
   }
 };
 template <class Kernel, class... More>
@@ -185,6 +187,9 @@ void HydrostaticCondition::parameters(Parameters& p) {
   p.add("unit weight", unit_weight_, "N/m3", positive(), "of the water");
   p.required("water level", level_, "m",
              "height of the free water surface, counted against gravity, a function of time");
+  p.choice("above the level", above_, {{"drained", Above::drained}, {"suction", Above::suction}, {"free", Above::free}},
+           "drained: the pore pressure is zero there; suction: that of water at rest; free: nothing is prescribed, and "
+           "the boundary is sealed unless another condition opens it");
 }
 
 void HydrostaticCondition::bind(const ConditionContext& context, const Section& section) {
@@ -198,7 +203,8 @@ void HydrostaticCondition::bind(const ConditionContext& context, const Section& 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
   std::vector<GivenValue> given;
   for_each_open_node([&](int dof, int node, const Point& x) { given.push_back({dof, node, level_(t_end, x)}); });
-  set_given<SetHead>(given, to, committed.coordinates, Kokkos::Array<double, 3>{up_[0], up_[1], up_[2]}, unit_weight_);
+  set_given<SetHead>(given, to, committed.coordinates, Kokkos::Array<double, 3>{up_[0], up_[1], up_[2]}, unit_weight_,
+                     above_ == Above::free, above_ == Above::suction);
 }
 
 void ValueCondition::parameters(Parameters& p) {

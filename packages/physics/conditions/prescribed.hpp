@@ -118,8 +118,8 @@ class PorePressureCondition : public Prescribed {
   Function value_;
 };
 
-/// Prescribes p = unit weight * (water level - height) [Pa], zero above the level, with the node's current height along
-/// the direction against gravity.
+/// Prescribes p = unit weight * (water level - height) [Pa] with the node's current height along the direction against
+/// gravity. Above the level it prescribes zero, or the suction, or nothing.
 class HydrostaticCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
@@ -130,7 +130,9 @@ class HydrostaticCondition : public Prescribed {
   std::string field_name() const override { return "pore pressure"; }
 
  private:
+  enum class Above { drained, suction, free };
   double unit_weight_ = 9810;
+  Above above_ = Above::drained;
   Point up_{};
   Function level_;
 };

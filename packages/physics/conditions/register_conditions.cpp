@@ -2,6 +2,7 @@
 #include "physics/conditions/fluid_supply.hpp"
 #include "physics/conditions/in_situ_support.hpp"
 #include "physics/conditions/prescribed.hpp"
+#include "physics/conditions/seepage_face.hpp"
 #include "physics/conditions/side_terms.hpp"
 #include "physics/conditions/well.hpp"
 #include "physics/register.hpp"
@@ -19,6 +20,7 @@ void register_conditions(Registry<Condition>& registry) {
   registry.add<Traction>("traction", "force per current area in fixed directions");
   registry.add<SurfacePressure>("pressure", "pressure that follows the current surface");
   registry.add<NormalFlux>("flux", "prescribed outward flux of a scalar field, by default the discharge of pore water");
+  registry.add<SeepageFace>("seepage face", "surface open to the air: water leaves where it reaches it, none enters");
   registry.add<FluidSupply>("fluid supply", "water that enters the soil of a region inside, per volume and time");
   registry.add<Well>("well", "water that enters the soil at a point or along a line");
   registry.add<InSituSupport>("in-situ support",

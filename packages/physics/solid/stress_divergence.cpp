@@ -29,7 +29,7 @@ struct TotalStress : PointLaw {
     T pressure = 0.0;
     if constexpr (S > 0) {
       const Mixture& here = mixtures(row);
-      if (here.pressure >= 0) pressure = here.alpha * at.value[here.pressure];
+      if (here.pressure >= 0) pressure = here.acting(at.value[here.pressure]);
     }
     for (int i = 0; i < C::dim; ++i)
       for (int j = 0; j < C::dim; ++j) out.stress[i][j] = stress(row, six(i, j));
@@ -52,7 +52,11 @@ struct TotalStress : PointLaw {
     out.pressure_change = 0;
     if constexpr (S > 0) {
       const Mixture& here = mixtures(row);
-      if (here.pressure >= 0) out.pressure_change = -here.alpha * at.change[here.pressure];
+      if (here.pressure >= 0) {
+        const double now = at.value[here.pressure], change = at.change[here.pressure];
+        out.pressure_change =
+            here.retention.acts() ? here.acting(now - change) - here.acting(now) : -here.alpha * change;
+      }
     }
   }
 

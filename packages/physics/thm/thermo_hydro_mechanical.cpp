@@ -154,6 +154,9 @@ std::vector<Field> ThermoHydroMechanical::fields() const {
 }
 
 void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
+  if (soil_->dries())
+    context.materials_section.fail(
+        "physics 'thermo-hydro-mechanical' is for saturated soil; a material has a 'retention'");
   const auto heat = soil_->require<HeatProperties>("heat", context.materials_section);
   soil_->water_expansion = water_.expansion;
   soil_->reference_temperature = reference_;
