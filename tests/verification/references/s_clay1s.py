@@ -1,5 +1,5 @@
 """Natural clay in triaxial states: S-CLAY1 (Wheeler and others 2003), S-CLAY1S (Karstunen and others 2005) and
-Creep-SCLAY1S (Sivasithamparam, Karstunen and Bonnier 2015), in p', q and the scalar inclination alpha of the papers. An
+Creep-SCLAY1S (Sivasithamparam, Karstunen and Bonnier 2015), in p', q and the scalar inclination of the papers. An
 integrator with order and step control of its own solves the rate equations, so nothing is shared with the program but
 the equations.
 
@@ -19,8 +19,8 @@ P, Q, SIZE, ALPHA, CHI, V, AXIAL, VOLUME = range(8)
 
 
 class Clay:
-    def __init__(self, M, slope, swelling, nu, omega=0.0, omega_d=None, chi=0.0, xi=0.0, xi_d=0.0, mu=0.0, tau=86400.0,
-                 Me=None):
+    def __init__(self, M, slope, swelling, nu, omega=0.0, omega_d=None, chi=0.0, xi=0.0, xi_d=0.0, mu=0.0,
+                 tau=86400.0, Me=None):
         self.M, self.Me, self.slope, self.swelling = M, Me or M, slope, swelling
         self.g = 1.5 * (1 - 2 * nu) / (1 + nu)
         self.omega, self.chi, self.xi, self.xi_d, self.mu, self.tau = omega, chi, xi, xi_d, mu, tau
