@@ -83,9 +83,9 @@ void SClay1s::check(const Section& section) const {
                  "fabric shear weight");
   SClay1s prepared = *this;
   prepared.prepare();
-  if (!(prepared.start_ * prepared.start_ < 0.95 * prepared.weakest_)) {
+  if (!(prepared.start_ < prepared.largest_inclination())) {
     std::ostringstream range;
-    range << "the surface leans too far; allowed: below " << std::sqrt(0.95 * prepared.weakest_)
+    range << "the surface leans too far; allowed: below " << prepared.largest_inclination()
           << ", the critical stress ratio in extension less a margin";
     section.fail(range.str(), "initial inclination");
   }

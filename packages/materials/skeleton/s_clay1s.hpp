@@ -79,8 +79,11 @@ struct SClay1s {
   double size(const double* stress, const double* fabric) const;
   /// Whether stress and fabric leave room for an ellipse.
   KOKKOS_INLINE_FUNCTION bool admissible(double p, const double* h) const {
-    return p > 0.0 && h[0] > 0.0 && 1.5 * sym6::norm_squared(h + alpha) < 0.998 * weakest_;
+    return p > 0.0 && h[0] > 0.0 && 1.5 * sym6::norm_squared(h + alpha) < 0.99 * weakest_;
   }
+  /// Inclination that the fabric does not exceed: the critical stress ratio in extension less a margin, for a steeper
+  /// surface has no room. The papers leave this open.
+  KOKKOS_INLINE_FUNCTION double largest_inclination() const { return ::sqrt(0.95 * weakest_); }
   /// omega_d.
   KOKKOS_INLINE_FUNCTION double weight() const { return weight_; }
   /// mu/tau times the factor of virgin compression [1/s], and the exponent of F/pm.
@@ -203,9 +206,18 @@ struct SClay1sModel : ModifiedCamClayModel<SixComponents> {
     rate[1] = shear;
     rate[chi] = -clay.degradation * h[chi] * (size + clay.degradation_shear * shear);
     const T compressed = value(volume) > 0.0 ? volume : T(0.0), sheared = clay.weight() * shear;
-    const T to = clay.rotation * (0.75 * compressed + sheared * (1.0 / 3.0)) / at.p,
+    const T to = clay.rotation * (compressed * leaning(at, 0.75) + sheared * leaning(at, 1.0 / 3.0)),
             fading = clay.rotation * (compressed + sheared);
     for (int i = 0; i < 6; ++i) rate[alpha + i] = to * at.s[i] - fading * h[alpha + i];
+  }
+
+  /// The fabric that strain tends to is this times the deviator: a fraction of s/p', within the largest inclination.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T leaning(const InclinedEllipse<T>& at, double fraction) const {
+    const T square = 1.5 * fraction * fraction * sym6::norm_squared(at.s);
+    const double most = clay.largest_inclination();
+    if (value(square) <= most * most * value(at.p) * value(at.p)) return fraction / at.p;
+    return fraction * most / square_root(square);
   }
 
   KOKKOS_INLINE_FUNCTION bool admissible(const double* stress, const double* h) const {

@@ -73,8 +73,8 @@ class SClay1sTests(MudlineCase):
 
     def test_strength_over_rate(self):
         """Undrained, three rates over two decades. At the critical state of clay without bonds F/pm is a power
-        mu/(lambda - kappa) of the rate, and p'^kappa pi^(lambda - kappa) stays, so that each decade adds 10^(mu/lambda) - 1
-        to q."""
+        mu/(lambda - kappa) of the rate, and p'^kappa pi^(lambda - kappa) stays, so that each decade adds
+        10^(mu/lambda) - 1 to q."""
         rates = {"slow": 1e-7, "middle": 1e-6, "fast": 1e-5}
         for name, parts, bonding, strain in (("natural", ("fabric", "bonding", "creep"), BONDING, 0.1),
                                              ("remoulded", ("fabric", "creep"), {}, 0.4)):
@@ -127,7 +127,7 @@ class SClay1sTests(MudlineCase):
         self.assertLess(h["stress difference"][-1], 0.75 * h["stress difference"][1])
 
     def test_fabric_at_rest(self):
-        """One-dimensional compression turns an upright surface to the published inclination, and K0 to 1 - sin phi."""
+        """One-dimensional compression turns an upright surface to the published inclination, K0 to 1 - sin phi."""
         skeleton = {"fabric rotation rate": 30.0, "initial inclination": 1e-6, "fabric axis": "y"}
         start = {"mean effective stress": 50e3, "void ratio": VOIDS}
         test = {"type": "oedometer", "axial strain": [0.4], "steps": 200, "initial state": start}
