@@ -103,3 +103,61 @@ class Clay:
 
     def oedometer(self, y, rate, strain, rows):
         return self.follow(y, lambda t, y: (rate, rate), np.linspace(0, strain / rate, rows))
+
+
+class UndrainedCylinder:
+    """Creep around a cylindrical cavity of radius a(t) from a0 = 1 in infinite clay, undrained: every particle keeps its
+    volume, r^2 = r0^2 + a^2 - 1, so its strain path is known, and equilibrium of total stress gives the pressure. Principal
+    stresses (radial, hoop, axial), tensors diagonal; the fabric starts along the axis."""
+
+    def __init__(self, clay, start, ocr, e, radius, far, particles=120):
+        """`start`: effective stress; `radius`: a and its rate of t; `far`: initial radius of the last particle."""
+        self.clay, self.radius, self.r0 = clay, radius, np.geomspace(1.0, far, particles)
+        n, stress = particles, np.array(start, float)
+        fabric = clay.alpha0 * np.array([-1.0, -1.0, 2.0]) / 3
+        p, r = stress.mean(), stress - stress.mean() * (1 + fabric)
+        F = p + 1.5 * r @ r / ((clay.M ** 2 - clay.alpha0 ** 2) * p)
+        self.volume, self.radial = 1 + e, stress[0]
+        self.begin = np.concatenate((np.repeat(stress / p, n), np.repeat(fabric, n), np.full(n, ocr * F / (1 + clay.chi) / p),
+                                     np.full(n, clay.chi)))
+        self.unit = p
+
+    def rates(self, t, y):
+        c, n = self.clay, len(self.r0)
+        stress, fabric = y[:3 * n].reshape(3, n), y[3 * n:6 * n].reshape(3, n)
+        size, chi = y[6 * n:7 * n], y[7 * n:]
+        a, speed = self.radius(t)
+        spread = a * speed / (self.r0 ** 2 + a ** 2 - 1)
+        strain = np.array([spread, -spread, 0 * spread])  # compression positive
+        p = stress.mean(axis=0)
+        s = stress - p
+        r = s - p * fabric
+        room = c.M ** 2 - 1.5 * (fabric ** 2).sum(axis=0)
+        over = 1.5 * (r ** 2).sum(axis=0)
+        F = p + over / (room * p)
+        along = 3 * r / (room * p)  # dF/ds
+        volume = 1 - over / (room * p ** 2) - (along * fabric).sum(axis=0)  # dF/dp
+        rest = (c.M ** 2 - c.alpha0 ** 2) / (c.M ** 2 - c.eta0 ** 2)
+        rate = rest * c.mu / (self.volume * c.tau) * (F / ((1 + chi) * size)) ** ((c.slope - c.swelling) / c.mu)
+        ev, shear = rate * volume, rate * np.sqrt(2 / 3 * (along ** 2).sum(axis=0))
+        K = self.volume * p / c.swelling
+        change = -K * ev + 2 * c.g * K * (strain - rate * along)
+        turn = (0.75 * s / p - fabric) * np.maximum(ev, 0) + c.omega_d * (s / p / 3 - fabric) * shear
+        return np.concatenate((change.ravel(), (c.omega * turn).ravel(),
+                               size * self.volume / (c.slope - c.swelling) * ev,
+                               -c.xi * chi * (abs(ev) + c.xi_d * shear)))
+
+    def wall(self, times):
+        """Total pressure and excess pore pressure at the wall at the times."""
+        n = len(self.r0)
+        with np.errstate(over="ignore", invalid="ignore"):  # of trial steps that are too long
+            s = solve_ivp(self.rates, (0, times[-1]), self.begin, method="RK45", rtol=1e-7, atol=1e-9, t_eval=times)
+        assert s.success, s.message
+        table = []
+        for t, y in zip(times, s.y.T):
+            a = self.radius(t)[0]
+            r = np.sqrt(self.r0 ** 2 + a ** 2 - 1)
+            difference = y[:n] - y[n:2 * n]
+            total = self.radial + self.unit * np.trapz(difference, np.log(r))
+            table.append((total, total - self.unit * y[0]))
+        return np.array(table)

@@ -7,6 +7,7 @@ import unittest
 
 import numpy as np
 
+from cavity_case import CavityCase
 from mudline_case import MudlineCase, point_deck
 from references import s_clay1s as reference
 
@@ -137,6 +138,35 @@ class SClay1sTests(MudlineCase):
         self.compare("at rest", h, y)
         self.assertLess(abs(-1.5 * h["fabric yy"][-1] / law.alpha0 - 1), 0.03)
         self.assertLess(abs(h["effective stress xx"][-1] / h["effective stress yy"][-1] / law.k0 - 1), 0.03)
+
+
+class Cavity(CavityCase):
+    def test_total_pressure_over_rate(self):
+        """A cylinder expanded to four radii, undrained, in 1000 s and in 100000 s, in clay with all parts at rest. Allowed:
+        0.3 % of the pressure, 0.6 % of the pore pressure at 1.2, 2 and 4 radii."""
+        start, far = {"xx": 60e3, "yy": 120e3, "zz": 60e3}, 1001.0
+        skeleton = dict(FABRIC, **CREEP, **BONDING, type="s-clay1s")
+        skeleton.update({"fabric axis": "y", "initial bonding": 3.0, "creep slope": 0.004})
+        settings = [f"materials/soil/skeleton/{name}={value}" for name, value in skeleton.items()]
+        settings += [f"physics/ground/initial state/effective stress {c}={value}" for c, value in start.items()]
+        settings += ["physics/ground/initial state/overconsolidation ratio=1.5", "boundary conditions/far/value=60e3"]
+        law = reference.Clay(1.2, 0.15, 0.03, 0.3, omega=30.0, chi=3.0, xi=8.0, xi_d=0.3, mu=0.004)
+        pressures = []
+        for duration in (1e3, 1e5):
+            time = [f"stages/expansion/duration={duration:g}", f"boundary conditions/cavity/x=3*(t/{duration:g})^2",
+                    f"stages/expansion/time step/initial={duration / 150:g}"]
+            history = self.run_deck(self.deck("cavity_expansion", "clay_cylinder"), settings + time)
+            at = lambda t: (1 + 3 * (t / duration) ** 2, 6 * t / duration ** 2)
+            times = duration * np.sqrt(np.array([0.2, 1.0, 3.0]) / 3)
+            exact = reference.UndrainedCylinder(law, (60e3, 60e3, 120e3), 1.5, 1.0, at, far).wall(times)
+            pressure = history["reaction/cavity x"] / (2 * np.pi * at(history.time)[0])
+            for time, (total, pore) in zip(times, exact):
+                what = f"{duration:g} s, {at(time)[0]:g} radii"
+                self.assert_between(f"{what}: pressure", np.interp(time, history.time, pressure) / total, 0.997, 1.003)
+                reached = np.interp(time, history.time, history["probe/wall/pore pressure"])
+                self.assert_between(f"{what}: pore pressure", reached / pore, 0.994, 1.006)
+            pressures.append(pressure[-1])
+        self.assert_between("rate effect over two decades", pressures[0] / pressures[1], 1.05, 1.12)
 
 
 if __name__ == "__main__":
