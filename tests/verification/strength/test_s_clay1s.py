@@ -142,8 +142,8 @@ class SClay1sTests(MudlineCase):
 
 class Cavity(CavityCase):
     def test_total_pressure_over_rate(self):
-        """A cylinder expanded to four radii, undrained, in 1000 s and in 100000 s, in clay with all parts at rest. Allowed:
-        0.3 % of the pressure, 0.6 % of the pore pressure at 1.2, 2 and 4 radii."""
+        """A cylinder expanded to two radii, undrained, in 1000 s and in 100000 s, in clay with all parts at rest. Allowed:
+        0.3 % of the pressure, 0.6 % of the pore pressure at 1.2, 1.5 and 2 radii."""
         start, far = {"xx": 60e3, "yy": 120e3, "zz": 60e3}, 1001.0
         skeleton = dict(FABRIC, **CREEP, **BONDING, type="s-clay1s")
         skeleton.update({"fabric axis": "y", "initial bonding": 3.0, "creep slope": 0.004})
@@ -153,11 +153,11 @@ class Cavity(CavityCase):
         law = reference.Clay(1.2, 0.15, 0.03, 0.3, omega=30.0, chi=3.0, xi=8.0, xi_d=0.3, mu=0.004)
         pressures = []
         for duration in (1e3, 1e5):
-            time = [f"stages/expansion/duration={duration:g}", f"boundary conditions/cavity/x=3*(t/{duration:g})^2",
-                    f"stages/expansion/time step/initial={duration / 150:g}"]
+            time = [f"stages/expansion/duration={duration:g}", f"boundary conditions/cavity/x=(t/{duration:g})^2",
+                    f"stages/expansion/time step/initial={duration / 50:g}", "mesh/cells={40, 1}"]
             history = self.run_deck(self.deck("cavity_expansion", "clay_cylinder"), settings + time)
-            at = lambda t: (1 + 3 * (t / duration) ** 2, 6 * t / duration ** 2)
-            times = duration * np.sqrt(np.array([0.2, 1.0, 3.0]) / 3)
+            at = lambda t: (1 + (t / duration) ** 2, 2 * t / duration ** 2)
+            times = duration * np.sqrt(np.array([0.2, 0.5, 1.0]))
             exact = reference.UndrainedCylinder(law, (60e3, 60e3, 120e3), 1.5, 1.0, at, far).wall(times)
             pressure = history["reaction/cavity x"] / (2 * np.pi * at(history.time)[0])
             for time, (total, pore) in zip(times, exact):
