@@ -44,7 +44,7 @@ void SClay1s::parameters(Parameters& p) {
   p.add("bond degradation rate", degradation, "-", non_negative(), "xi, loss of bonding with plastic strain");
   p.add("bond shear weight", degradation_shear, "-", non_negative(), "xi_d, weight of shear strain in that");
   p.add("creep slope", creep_slope, "-", non_negative(),
-        "mu, slope of virgin creep in void ratio over ln t, C_alpha e/ln 10; 0: no creep");
+        "mu, slope of virgin creep in void ratio over ln t, C_alpha/ln 10; 0: no creep");
   p.add("reference time", reference_time, "s", positive(),
         "tau, duration of the load steps in which the preconsolidation was measured: one day as a rule");
 }

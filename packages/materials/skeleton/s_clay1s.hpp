@@ -49,7 +49,6 @@ struct SClay1s {
   double creep_slope = 0.0;        // [-] mu, slope of e over ln t; 0: no creep
   double reference_time = 86400;   // [s] tau
 
-  SClay1s() { clay.integration.maximum_substeps = 10000; }
   void parameters(Parameters& p);
   void check(const Section& section) const;
   void prepare();

@@ -111,7 +111,8 @@ std::vector<Teuchos::ParameterList> s_clay1s_variants(Teuchos::ParameterList bas
   fabric.set("fabric axis", "y").set("stress tolerance", 1e-9);
   for (auto* list : {&all, &plastic, &implicit})
     list->set("initial bonding", 5.0).set("bond degradation rate", 8.0).set("bond shear weight", 0.3);
-  for (auto* list : {&creep, &all}) list->set("creep slope", 0.006).set("stress tolerance", 1e-7);
+  for (auto* list : {&creep, &all})
+    list->set("creep slope", 0.006).set("stress tolerance", list == &all ? 3e-8 : 1e-7).set("maximum substeps", 10000);
   for (auto* list : {&all, &plastic, &implicit}) list->set("lode dependence", "sheng");
   plastic.set("stress tolerance", 1e-6);
   implicit.set("integration", "implicit");
