@@ -96,7 +96,7 @@ void SClay1s::prepare() {
   weakest_ = clay.lode == ModifiedCamClay::Lode::sheng ? m2 * std::sqrt(clay.lode_ratio_4()) : m2;
   const bool inclined = rotation > 0.0;
   start_ = !inclined ? 0.0 : inclination > 0.0 ? inclination : virgin_inclination();
-  weight_ = shear_weight > 0.0 ? shear_weight : virgin_weight();
+  weight_ = !inclined ? 0.0 : shear_weight > 0.0 ? shear_weight : virgin_weight();
   const double rest = k0(1.0), eta = 3.0 * (1.0 - rest) / (1.0 + 2.0 * rest),
                virgin = inclined ? virgin_inclination() : 0.0;
   creep_rate_ = creep_slope / reference_time * (m2 - virgin * virgin) / (m2 - eta * eta);
