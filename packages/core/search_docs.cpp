@@ -21,7 +21,7 @@ const std::map<std::string, std::vector<std::string>>& other_names() {
       {"absorbing boundary", {"absorbing"}},
       {"c", {"cohesion"}},
       {"checkpoint", {"checkpoint steps"}},
-      {"clay", {"modified cam clay", "tresca"}},
+      {"clay", {"modified cam clay", "s-clay1s", "tresca"}},
       {"branch", {"start"}},
       {"consolidation", {"quasi-static", "hydraulic conductivity", "pore pressure"}},
       {"cpt", {"cone penetrometer"}},

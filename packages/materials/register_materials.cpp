@@ -10,6 +10,7 @@
 #include "materials/skeleton/modified_cam_clay.hpp"
 #include "materials/skeleton/mohr_coulomb.hpp"
 #include "materials/skeleton/neo_hookean.hpp"
+#include "materials/skeleton/s_clay1s.hpp"
 #include "materials/skeleton/tresca.hpp"
 #include "materials/skeleton/umat.hpp"
 #include "materials/skeleton/von_mises.hpp"
@@ -33,6 +34,8 @@ void register_materials(Registry<Skeleton>& skeletons, Registry<Fluid>& fluids,
                                                                "Deviatoric yield with isotropic hardening");
   skeletons.add<PointwiseSkeleton<AutomaticTangent<Hypoplasticity>>>(
       "hypoplasticity", "Sand from loose to dense in one set of parameters, with intergranular strain");
+  skeletons.add<PointwiseSkeleton<SClay1sByParts>>(
+      "s-clay1s", "Natural clay: Cam Clay with fabric, bonding and creep, each by its numbers");
   skeletons.add<Umat>("umat", "A subroutine UMAT as finite-element programs take it, from a shared library");
   fluids.add<Water>("water", "Slightly compressible or incompressible water");
   permeabilities.add<ConstantPermeability>("constant", "The same conductivity at every void ratio");

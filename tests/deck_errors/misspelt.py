@@ -20,7 +20,7 @@ DECKS = [
     Wrong("mesh region", ("{soil}", "{soli}"), "materials/clay/regions: unknown mesh region 'soli' (did you mean 'soil'?)", ranks=BOTH),
     Wrong("skeleton type", ('value="modified cam clay"', 'value="modified camclay"'),
           "materials/clay/skeleton/type: unknown skeleton type 'modified camclay' (did you mean 'modified cam clay'?); "
-          "known types: linear elastic, modified cam clay, mohr-coulomb, tresca, drucker-prager, neo-hookean, von mises, hypoplasticity, umat"),
+          "known types: linear elastic, modified cam clay, mohr-coulomb, tresca, drucker-prager, neo-hookean, von mises, hypoplasticity, s-clay1s, umat"),
     Wrong("skeleton parameter", ('value="1.0"/>', 'value="1.0"/>\n' + parameter("stress tolerence", "double", "1e-4")),
           "materials/clay/skeleton/stress tolerence: unknown parameter (did you mean 'stress tolerance'?)", at="stress tolerence"),
     Wrong("fluid type", ('value="water"', 'value="watre"'),

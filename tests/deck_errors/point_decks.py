@@ -84,7 +84,7 @@ DECKS = [
           "tests/squeeze/strain yy: there is no function 'pusch' (did you mean 'push'?)"),
     wrong("wrong skeleton", ('value="modified cam clay"', 'value="modified cam"'),
           "materials/clay/skeleton/type: unknown skeleton type 'modified cam' (did you mean 'modified cam clay'?); known types: "
-          "linear elastic, modified cam clay, mohr-coulomb, tresca, drucker-prager, neo-hookean, von mises, hypoplasticity, umat"),
+          "linear elastic, modified cam clay, mohr-coulomb, tresca, drucker-prager, neo-hookean, von mises, hypoplasticity, s-clay1s, umat"),
     wrong("wrong skeleton parameter", ('name="swelling slope"', 'name="sweling slope"'),
           "materials/clay/skeleton/sweling slope: unknown parameter (did you mean 'swelling slope'?)"),
     wrong("results of one name", (section("shear"), section("the shear") + parameter("a", "int", "1") + "</ParameterList>" + section("the_shear")),

@@ -131,4 +131,11 @@ void MaterialPoint::commit(const PointMotion& motion, double dt, const PointTria
   ++increment_.number;
 }
 
+MaterialPoint MaterialPoint::turned(const std::array<double, 9>& rotation) const {
+  MaterialPoint result = *this;
+  sym6::rotate(rotation.data(), stress_.data(), result.stress_.data());
+  for (const int t : tensors_) sym6::rotate(rotation.data(), &state_[t], &result.state_[t]);
+  return result;
+}
+
 }  // namespace mudline

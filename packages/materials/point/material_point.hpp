@@ -45,6 +45,8 @@ class MaterialPoint {
   /// Evaluates the law; the committed state does not change.
   PointTrial evaluate(const PointMotion& motion, double dt, bool want_tangent) const;
   void commit(const PointMotion& motion, double dt, const PointTrial& trial);
+  /// The same point with its stress and its state tensors turned by a rotation (row-major).
+  MaterialPoint turned(const std::array<double, 9>& rotation) const;
 
  private:
   const Skeleton& law_;

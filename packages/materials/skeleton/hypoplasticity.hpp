@@ -2,6 +2,7 @@
 
 #include "materials/automatic_tangent.hpp"
 #include "materials/embedded_steps.hpp"
+#include "materials/pressure_floor.hpp"
 
 namespace mudline {
 
@@ -97,9 +98,6 @@ struct Hypoplasticity {
   KOKKOS_INLINE_FUNCTION bool admissible(double p) const {
     return p > 0.25 * minimum_mean_stress && p < 30.0 * hardness;
   }
-  /// Takes what would bring p below its minimum out of a stress rate.
-  template <class T>
-  KOKKOS_INLINE_FUNCTION void limit_fall(const T& p, T* stress_rate) const;
 
  private:
   double a_ = 1.0, a2_ = 1.0;   // [-] a and its square
@@ -138,7 +136,7 @@ class HypoplasticPath {
       with_intergranular_strain(op, y + 6, dy);
     else
       without(op, dy);
-    law_.limit_fall(p, dy);
+    limit_fall(p, law_.minimum_mean_stress, dy);
     return true;
   }
   KOKKOS_INLINE_FUNCTION T error_squared(const T* y, const T* error) const {
@@ -250,14 +248,6 @@ KOKKOS_INLINE_FUNCTION Hypoplasticity::Operators<T> Hypoplasticity::operators(co
   const T n = with.density * stiffness * f * a_;
   for (int i = 0; i < 6; ++i) r.along[i] = n * (r.direction[i] + deviator[i]);
   return r;
-}
-
-template <class T>
-KOKKOS_INLINE_FUNCTION void Hypoplasticity::limit_fall(const T& p, T* stress_rate) const {
-  const T loss = sym6::trace(stress_rate) * (1.0 / 3.0);
-  if (!(value(loss) > 0.0 && value(p) < 2.0 * minimum_mean_stress)) return;
-  const T kept = value(p) > minimum_mean_stress ? p / minimum_mean_stress - 1.0 : T(0.0);
-  for (int i = 0; i < 3; ++i) stress_rate[i] -= loss * (1.0 - kept);
 }
 
 template <class T>

@@ -74,7 +74,7 @@ std::vector<StateVariable> ModifiedCamClay::state() {
           {"initial specific volume", 1, "-", Transfer::value, 1.0, 1e300}};
 }
 
-std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state) const {
+std::string ModifiedCamClay::cannot_start(const InitialPoint& point) const {
   const double p = sym6::mean_pressure(point.stress.data());
   std::ostringstream reason;
   if (!(p > 0.0)) {
@@ -87,8 +87,17 @@ std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state
   } else if (!(point.void_ratio > 0.0)) {
     reason << "the initial void ratio must be positive; it is " << point.void_ratio;
   }
-  if (!reason.str().empty()) return reason.str();
-  const double on_surface = through(point.stress.data()), normal = normal_line();
+  return reason.str();
+}
+
+std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state) const {
+  if (const std::string reason = cannot_start(point); !reason.empty()) return reason;
+  return start(point, through(point.stress.data()), state);
+}
+
+std::string ModifiedCamClay::start(const InitialPoint& point, double on_surface, double* state) const {
+  const double p = sym6::mean_pressure(point.stress.data()), normal = normal_line();
+  std::ostringstream reason;
   state[preconsolidation] = point.overconsolidation_ratio * on_surface;
   if (normal > 0.0) {
     const double v = 1.0 + point.void_ratio;
@@ -129,8 +138,12 @@ double ModifiedCamClay::through(const double* stress) const {
 
 double ModifiedCamClay::void_ratio(const InitialPoint& point) const {
   const double p = sym6::mean_pressure(point.stress.data());
-  if (!(normal_line() > 0.0) || !(p > 0.0)) return Skeleton::no_void_ratio;
-  const double pc = point.overconsolidation_ratio * through(point.stress.data());
+  return p > 0.0 ? void_ratio(point, through(point.stress.data())) : Skeleton::no_void_ratio;
+}
+
+double ModifiedCamClay::void_ratio(const InitialPoint& point, double on_surface) const {
+  if (!(normal_line() > 0.0)) return Skeleton::no_void_ratio;
+  const double p = sym6::mean_pressure(point.stress.data()), pc = point.overconsolidation_ratio * on_surface;
   return normal_line() - compression * std::log(pc / reference_pressure) + swelling * std::log(pc / p) - 1.0;
 }
 

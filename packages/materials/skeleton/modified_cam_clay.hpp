@@ -54,6 +54,12 @@ struct ModifiedCamClay {
   /// ln(pc/p'). `no_void_ratio` without N. Gamma is v on the critical state line at p_ref, where pc = r p', so that N =
   /// Gamma + (lambda - kappa) ln r, r = 2 for the ellipse.
   double void_ratio(const InitialPoint& point) const;
+  /// "" or why the law cannot start from a point, its surface aside.
+  std::string cannot_start(const InitialPoint& point) const;
+  /// The same as initialise() and void_ratio() with another surface: `on_surface` is the pc [Pa] of that through the
+  /// initial stress.
+  std::string start(const InitialPoint& point, double on_surface, double* state) const;
+  double void_ratio(const InitialPoint& point, double on_surface) const;
   /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the limit of the stress ratio
   /// in one-dimensional virgin compression: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g =
   /// G/K, K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. The flow

@@ -102,6 +102,23 @@ std::vector<Teuchos::ParameterList> hypoplastic_variants() {
   return {plain, intergranular, shifted};
 }
 
+/// A natural clay with a fabric, with creep, with fabric and bonding by either integration, and with all parts. The
+/// tolerances are those of hypoplastic_variants().
+std::vector<Teuchos::ParameterList> s_clay1s_variants(Teuchos::ParameterList base) {
+  base.set("Poisson's ratio", 0.2);
+  Teuchos::ParameterList fabric(base), creep(base), all(base), plastic(base), implicit(base);
+  for (auto* list : {&fabric, &all, &plastic, &implicit}) list->set("fabric rotation rate", 30.0);
+  fabric.set("fabric axis", "y").set("stress tolerance", 1e-9);
+  for (auto* list : {&all, &plastic, &implicit})
+    list->set("initial bonding", 5.0).set("bond degradation rate", 8.0).set("bond shear weight", 0.3);
+  for (auto* list : {&creep, &all})
+    list->set("creep slope", 0.006).set("stress tolerance", list == &all ? 3e-8 : 1e-7).set("maximum substeps", 10000);
+  for (auto* list : {&all, &plastic, &implicit}) list->set("lode dependence", "sheng");
+  plastic.set("stress tolerance", 1e-6);
+  implicit.set("integration", "implicit");
+  return {fabric, creep, plastic, implicit, all};
+}
+
 /// Deck entries of the variants under which a type is tested.
 std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   Teuchos::ParameterList elastic, clay;
@@ -131,7 +148,8 @@ std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
           {"drucker-prager", cone_variants(elastic)},
           {"tresca", tresca_variants()},
           {"von mises", von_mises_variants(elastic)},
-          {"hypoplasticity", hypoplastic_variants()}};
+          {"hypoplasticity", hypoplastic_variants()},
+          {"s-clay1s", s_clay1s_variants(clay)}};
 }
 
 EntryDoc documentation_of(const Registry<Skeleton>& skeletons, const std::string& type) {
@@ -194,17 +212,40 @@ struct Faulty {
   }
 };
 
-std::string failures(Faulty::Fault fault, bool may_fail = false) {
-  Faulty law;
-  law.fault = fault;
+/// Linear elastic, stiffened along a fixed axis by the strain that a state tensor has gathered.
+struct FixedAxis : Faulty {
+  static std::vector<StateVariable> state() { return {{"strain", 6, "-", Transfer::value, -1.0, 1.0}}; }
+  std::string initialise(const InitialPoint&, double* state) const {
+    for (int c = 0; c < 6; ++c) state[c] = 0.0;
+    return "";
+  }
+  KOKKOS_INLINE_FUNCTION bool operator()(const SkeletonPoint& in, const double* old, double* state,
+                                         SkeletonResponse& out) const {
+    for (int c = 0; c < 6; ++c) state[c] = old[c] + (c < 3 ? 1.0 : 0.5) * in.strain[c];
+    const double bulk = 2e7 * (1.0 + old[1]);
+    sym6::isotropic(bulk, 1e7, in.strain, out.stress);
+    for (int i = 0; i < 6; ++i) out.stress[i] += in.stress[i];
+    if (in.want_tangent) sym6::isotropic_stiffness(bulk, 1e7, out.tangent);
+    return true;
+  }
+};
+
+template <class Law>
+std::string failures(const Law& law, bool may_fail = false) {
   EntryDoc documentation;
   documentation.summary = "a law with a fault";
   ConformanceLimits limits;
   limits.may_fail = may_fail;
   std::string names;
-  for (const ConformanceCheck& check : check_conformance(PointwiseSkeleton<Faulty>(law), documentation, limits))
+  for (const ConformanceCheck& check : check_conformance(PointwiseSkeleton<Law>(law), documentation, limits))
     if (!check.passed) names += (names.empty() ? "" : ", ") + check.name;
   return names;
+}
+
+std::string failures(Faulty::Fault fault, bool may_fail = false) {
+  Faulty law;
+  law.fault = fault;
+  return failures(law, may_fail);
 }
 
 TEST(ConformanceSuite, NamesTheFault) {
@@ -212,6 +253,7 @@ TEST(ConformanceSuite, NamesTheFault) {
   EXPECT_EQ(failures(Faulty::wrong_tangent), "tangent");
   EXPECT_EQ(failures(Faulty::tangent_changes_stress), "purity");
   EXPECT_EQ(failures(Faulty::anisotropic), "isotropy");
+  EXPECT_EQ(failures(FixedAxis()), "isotropy");
   EXPECT_EQ(failures(Faulty::not_a_number), "finite numbers");
   EXPECT_EQ(failures(Faulty::drifting), "idleness");
   EXPECT_EQ(failures(Faulty::refusing), "starts");
