@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "checks/setup.hpp"
 #include "integrator/overlap.hpp"
-#include "physics/soil.hpp"
+#include "physics/soil_points.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -109,6 +110,38 @@ void suction(const Setup& setup, const Judge& judge) {
         "soil without a 'retention' is saturated everywhere: give it one, put the water level at the surface, or begin "
         "the mesh at the water level "
         "with the soil above as 'surcharge' and load; or widen the range where capillary water reaches that high");
+}
+
+/// Largest height of the cells that are drier than water at rest would leave them in, over that through which the soil
+/// dries.
+void drying_cells(const Setup& setup, const Judge& judge) {
+  const Soil& soil = *setup.model().soil();
+  const State& state = setup.model().store().committed();
+  std::map<std::string, Section> entries;
+  for (const Section& entry : setup.materials()) entries.emplace(entry.name(), entry);
+  double coarsest = 0;
+  for (const SoilBlock& b : soil.blocks) {
+    if (!b.dries) continue;
+    const SoilPoints points(soil, b, state);
+    for (int e = 0; e < b.elements; ++e) {
+      const SoilMaterial& material = points.material(e * b.points);
+      if (!material.retention.acts() || b.scalar_at(e, 0, 0, state.value) >= 0) continue;
+      double low = any_size, high = -any_size;
+      for (int a = 0; a < b.u.nodes; ++a) {
+        const double y = soil.height(setup.mesh().place(b.nodes(e, a)));
+        low = std::min(low, y);
+        high = std::max(high, y);
+      }
+      const Span suction = setup.given(entries.at(material.name).section("retention"), "reference suction");
+      coarsest = std::max(coarsest, (high - low) * material.fluid->unit_weight() / suction.high);
+    }
+  }
+  coarsest = max_over_ranks(*setup.mesh().comm(), coarsest);
+  if (coarsest > 0)
+    judge(coarsest,
+          "the height of a cell above the water level, over that in which its soil dries (reference suction over "
+          "unit weight),",
+          "make the cells there lower, or the 'reference suction' of the 'retention' larger");
 }
 
 void compression_slope(const Setup& setup, const Judge& judge) {
@@ -273,7 +306,12 @@ std::vector<Check<Setup>> material_checks() {
         "growth of the pore pressure with depth at the start over that of water at rest, "
         "where gravity acts and pore pressures are total"},
        water_at_rest},
-      {{"suction", "Pa", {0, 2e4}, "at the start"}, suction},
+      {{"suction", "Pa", {0, 2e4}, "at the start, of soil without a retention"}, suction},
+      {{"drying cells",
+        "-",
+        {0, 4},
+        "height of cells under suction at the start times unit weight over reference suction"},
+       drying_cells},
       {{"compression slope", "-", {0.01, 0.15}, "lambda/(1 + e) of a clay"}, compression_slope},
       {{"compression by void ratio", "-", {0.2, 4}, "lambda over what the void ratio suggests, 0.54 (e - 0.35)/2.303"},
        compression_and_void_ratio},

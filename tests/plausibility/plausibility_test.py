@@ -169,8 +169,12 @@ class Slips(Telling):
         self.assertEqual(self.doubts(pile(0), ["plausibility/drained hole={0, 6}"]), [])
         # beside the hole alone, no condition at all, water below the hole, a hole half as deep as wide
         self.assertEqual(self.doubts(pile(0, (sides, sides.replace('"surface"', '"seabed"')))), [])
-        # water that low is held by suction, which is another doubt
-        self.assertEqual([d for d in self.doubts(pile(-3.0)) if "drained hole" in d], [])
+        # water that low is held by suction, which is another doubt; a drained surface is then refused
+        in_air = (sides, sides.replace('"pore pressure"', '"seepage face"'))
+        self.assertEqual([d for d in self.doubts(pile(-3.0, in_air)) if "drained hole" in d], [])
+        refused = self.check(pile(-3.0))
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("where the start has a suction of 29430 Pa", refused.stderr)
         self.assertEqual(self.doubts(pile(0), ["stages/push/duration=0.2"]), [])
 
     def test_plane_strain_for_a_body_of_revolution(self):

@@ -46,7 +46,7 @@ class Unsaturated(MudlineCase):
         order = line[np.argsort(x[line, up])]
         return x[order, up], p[order]
 
-    def infiltration(self, name, cell="quad9", geometry="plane strain", ranks=1):
+    def infiltration(self, name, cell="quad9", geometry="plane strain", ranks=1, steps=80):
         """A column of 1 m over its water table; rain of a tenth, then of nine tenths of the conductivity."""
         alpha, residual, space = 5.0, 0.1, cell in ("hex27", "tet10")
         top, cells = ([0.1, 0.1, 1.0], [1, 1, 20]) if space else ([0.1, 1.0], [1, 40])
@@ -62,7 +62,7 @@ class Unsaturated(MudlineCase):
             "stages": {"dry": {"type": "quasi-static", "duration": 1e6, "conditions": [*HELD, *sides, "table", "dew"],
                                "time step": {"initial": 100.0, "growth": 1.5}},
                        "wet": {"type": "quasi-static", "duration": time, "conditions": [*HELD, *sides, "table", "rain"],
-                               "time step": {"initial": time / 200, "growth": 1.0}}},
+                               "time step": {"initial": time / steps, "growth": 1.0}}},
             "solver": {"residual tolerance": 1e-11},
             "output": {"field steps": 100000}})
         history = self.run_deck(self.write(name + ".xml", deck), ranks=ranks)
@@ -75,7 +75,7 @@ class Unsaturated(MudlineCase):
         return found
 
     def test_infiltration(self):
-        self.infiltration("rain")
+        self.infiltration("rain", steps=200)
         self.infiltration("rain_on_ranks", ranks=2)
         self.infiltration("rain_round", geometry="axisymmetric")
 
@@ -170,6 +170,26 @@ class Unsaturated(MudlineCase):
         exact = np.expm1(-acting / modulus)  # of the logarithmic strain of a law in rates
         self.assert_error("shrinkage", abs(history["probe/top/displacement y"][-1] / exact - 1), 1e-4)
         self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-10)
+
+    def test_relative_permeability(self):
+        """Water that sinks through evenly moist soil, its suction held at both ends, flows by k k_r."""
+        for suction, least, connectivity in ((2e4, 1e-9, 1.5), (5e5, 1e-3, 0.5)):
+            with self.subTest(suction=suction):
+                deck = deck_text("moist", {
+                    "mesh": {"type": "box", "cell": "quad9", "cells": [1, 4], "upper": [1.0, 1.0]},
+                    "materials": {"silt": soil({"type": "van genuchten", "reference suction": 1e4, "shape": 2.5, "connectivity": connectivity,
+                                                "least relative permeability": least})},
+                    "physics": {"ground": {"type": "biot", "gravity": [0.0, -GRAVITY],
+                                           "initial state": {"type": "uniform", "pore pressure": -suction}}},
+                    "boundary conditions": {**HELD, "in": {"type": "pore pressure", "set": "top", "value": -suction},
+                                            "out": {"type": "pore pressure", "set": "bottom", "value": -suction}},
+                    "stages": {"sink": {"type": "quasi-static", "duration": 10.0, "time step": {"initial": 5.0}}},
+                    "output": {"field steps": 100000}})
+                history = self.run_deck(self.write("moist.xml", deck), extra=["--overwrite"])
+                ratio, m = suction / 1e4, 1 - 1 / 2.5
+                effective = (1 + ratio ** 2.5) ** -m
+                mualem = effective ** connectivity * (1 - (1 - effective ** (1 / m)) ** m) ** 2
+                self.assert_error("k_r", abs(history["reaction/in"][-1] / (CONDUCTIVITY * max(mualem, least)) - 1), 1e-6)
 
     def test_refusals(self):
         """Saturated soil that is opened to water at no suction would swell without end."""
