@@ -104,6 +104,8 @@ class Sounding(RestartCase):
     def test_refused(self):
         for setting, expected in (
                 ("body=con", "output/observers/sounding/body: unknown body 'con' (did you mean 'cone'?)"),
+                ("filter height=0", "output/observers/sounding/filter height: 0 is out of range; allowed: (0, inf)"),
+                ("u3=9", "output/observers/sounding/u3: no surface of body 'cone' lies between 8.998 and 9.002 m above its reference point; it reaches from "),
                 ("strengh=3", "output/observers/sounding/strengh: unknown parameter (did you mean 'strength'?)")):
             self.refused(expected, *self.deck, "--set", "output/observers/sounding/" + setting)
         for kind, more, expected in (
