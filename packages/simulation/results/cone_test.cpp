@@ -107,7 +107,7 @@ void ConeTest::results(const RunView& run, ResultTable& to) {
 void ConeTest::follow_dissipation(const RunView& run, const std::string& filter, bool moves, ResultTable& to) const {
   const std::string &stage = run.stage.name, quantity = filter_pressure(filter);
   const auto pressure = run.report.find(column(quantity));
-  if (pressure == run.report.end()) return;
+  if (pressure == run.report.end() || pressure->second.value == 0) return;  // no soil touches the filter
   Dissipation dissipation(stage, name, quantity, to);
   // what falls while the cone moves does not tell how fast the soil consolidates
   if (moves) dissipation.forget();
