@@ -178,8 +178,9 @@ void Filter::roughen(std::vector<WallSide>& sides) {
         side.roughness[a] =
             off_line(both[0].distance, both[1].distance, {both[0].pressure, side.pressure[a], both[1].pressure});
     }
+    const double alone = 0.5 * std::abs(side.pressure[1] - side.pressure[0]);
     for (int a = 0; a < 2; ++a)
-      if (!inner[a] && inner[1 - a]) side.roughness[a] = side.roughness[1 - a];
+      if (!inner[a]) side.roughness[a] = inner[1 - a] ? side.roughness[1 - a] : alone;
   }
 }
 

@@ -14,11 +14,11 @@ class Filter {
  public:
   struct Value {
     double pressure = 0, excess = 0;  // [Pa] 0 where no soil touches the filter
-    double error = 0;                 // [Pa] of both, see roughness()
+    double error = 0;                 // [Pa] of both, see roughen()
     double covered = 0;               // [-] share of the filter's area that soil touches
   };
 
-  /// Precondition: check() finds no fault.
+  /// Precondition: the model is one of the plane and has the body.
   Filter(const Model& model, FilterSettings settings);
   /// InputError where the model cannot have such a filter; `entry` of the section: its position.
   static void check(const Model& model, const FilterSettings& settings, const Section& section,
@@ -45,6 +45,7 @@ class Filter {
   std::vector<WallSide> touching(const State& state, const NodalView& excess) const;
   /// Sets the roughness at the vertices of sides: how far the pressure at a vertex lies from the straight line along
   /// the wall through it and both of its neighbours (by least squares); at an end of the wall that of the neighbour.
+  /// Of a side that has no neighbours nothing is known: half the difference of its pressures.
   static void roughen(std::vector<WallSide>& sides);
   void add(const WallSide& side, Sums& to) const;
   /// Area [m2] of the body's contour between the heights of the filter.
