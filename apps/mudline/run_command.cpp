@@ -8,6 +8,7 @@
 #include "checks/ground_profile.hpp"
 #include "checks/penetration_watch.hpp"
 #include "checks/plausibility.hpp"
+#include "checks/stretch_watch.hpp"
 #include "commands.hpp"
 #include "core/deck.hpp"
 #include "core/errors.hpp"
@@ -109,6 +110,7 @@ ExitCode run_one(Loaded& loaded, const RunCommand& command) {
   };
   Observers watchers;
   watchers.push_back(std::make_unique<PenetrationWatch>(loaded.plausibility->usual()));
+  watchers.push_back(std::make_unique<StretchWatch>(loaded.plausibility->usual()));
   for (auto& observer : loaded.observers) watchers.push_back(std::move(observer));
   Run run(std::move(loaded.model), on_mesh, loaded.output, origin, options, std::move(watchers));
   return run.execute();

@@ -164,7 +164,8 @@ def draw_stages(axes, force, depth, stages):
 
 
 def cone_figure(name, columns, depth, title):
-    """What a cone penetration test measures over depth, depth downwards: a panel for each unit. columns: {name: (unit, values)}"""
+    """What a cone penetration test measures over depth, depth downwards, with the bands of estimated errors: a panel for
+    each unit. columns: {name: (unit, values)}"""
     going = np.diff(depth, prepend=depth[0]) > 0  # while the cone rests, its depth tells nothing
     depth, panels = depth[going], {}
     for quantity, (unit, values) in sorted(columns.items(), key=lambda column: column[1][0] in PLAIN):
@@ -174,8 +175,11 @@ def cone_figure(name, columns, depth, title):
         depth_factor, depth_unit = pictures.scaled("m", np.abs(depth).max())
         for ((unit, quantity), curves), axes in zip(panels.items(), grid[0]):
             factor, shown = pictures.scaled(unit, max(np.abs(values).max() for values in curves.values()))
+            curves, errors = pictures.split_errors(curves)
             for label, values in curves.items():
                 axes.plot(values * factor, depth * depth_factor, label=label)
+                if label in errors:
+                    pictures.shade_error(axes, "x", values * factor, depth * depth_factor, errors[label] * factor)
             axes.set_xlabel(f"{quantity or name} [{shown}]")
             if len(curves) > 1:
                 axes.legend(fontsize=8)

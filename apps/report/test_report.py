@@ -208,14 +208,14 @@ class ReportTest(unittest.TestCase):
 
     def test_cone_penetration_test_over_depth(self):
         """Stresses share a panel, each number has its own."""
-        added = ",cone/s/net cone resistance [Pa],cone/s/excess pore pressure at the filter [Pa],cone/s/pore pressure ratio [-]"
+        added = ",cone/s/net cone resistance [Pa],cone/s/excess pore pressure u2 [Pa],cone/s/pore pressure ratio [-]"
         lines = HISTORY.splitlines()[:4]
         rows = [lines[0] + added] + [f"{line},{1e5 * k},{6e4 * k},0.6" for k, line in enumerate(lines[1:])]
         (self.folder / "cone.csv").write_text("\n".join(rows) + "\n")
         code, _, err = self.run_report(self.folder / "cone", "--png", self.folder)
         self.assertEqual(code, 0, err)
         self.assertTrue((self.folder / "cone_s.png").is_file())
-        columns = {"net cone resistance": ("Pa", np.array([0, 1e5])), "u2": ("Pa", np.array([0, 6e4])), "B": ("-", np.array([0, 0.6]))}
+        columns = {"net cone resistance": ("Pa", np.array([0, 1e5])), "u2": ("Pa", np.array([0, 6e4])), "u2 error": ("Pa", np.array([0, 1e3])), "B": ("-", np.array([0, 0.6]))}
         columns = {name: (unit, np.append(values, 9 * values[-1])) for name, (unit, values) in columns.items()}
         axes = report_answer.cone_figure("s", columns, np.array([0.0, 0.1, 0.1]), "depth").axes  # it rests in the end
         self.assertLess(axes[1].lines[0].get_xdata().max(), 1)

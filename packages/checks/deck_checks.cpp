@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
+#include "simulation/filter.hpp"
 
 namespace mudline {
 
@@ -345,6 +346,8 @@ void check_deck(Model& model, const Section& deck) {
 
 void check_output(const Model& model, const OutputSettings& output, const Section& deck) {
   check_probes(model, output, deck);
+  for (const FilterSettings& filter : output.filters)
+    Filter::check(model, filter, deck.section("output").section("filters").section(filter.name));
   check_error_estimate(model, output, deck);
 }
 

@@ -9,6 +9,7 @@
 #include "checks/body_setup.hpp"
 #include "checks/penetration_watch.hpp"
 #include "checks/setup.hpp"
+#include "checks/stretch_watch.hpp"
 #include "core/log.hpp"
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
@@ -57,6 +58,7 @@ Doubts all_quantities() {
   Doubts result;
   for (const Usual& quantity : own_quantities) result.declare(quantity);
   PenetrationWatch::declare(result);
+  StretchWatch::declare(result);
   for (const auto& check : setup_checks())
     if (*check.quantity.meaning) result.declare(check.quantity);  // one without is declared by another check
   declare_body_checks(result);

@@ -57,6 +57,10 @@ void OutputSettings::parameters(Parameters& p) {
               "named points: Array(double) of its coordinates for the nearest node that carries a field (pore "
               "pressure: the nearest cell corner), wherever it goes, with the soil or with the mesh; or a section with "
               "a point and what it moves with");
+  p.passes_on(
+      "filters",
+      "named filters of bodies: mean pore pressures over a part of a body's surface; one named section each, see "
+      "the section filter");
   p.passes_on("observers", "further outputs and watches, by name; see the observer types, which plugins bring");
 }
 
@@ -88,6 +92,16 @@ OutputSettings OutputSettings::read(const Section& section, const std::string& d
     else if (std::find(bodies.begin(), bodies.end(), probe.moves_with) == bodies.end())
       own.fail("unknown body '" + probe.moves_with + "'" + suggestion(probe.moves_with, bodies), "moves with");
     settings.probes.push_back(probe);
+  }
+  const Section filters = section.section("filters");
+  filters.allow_parameters({});
+  for (const std::string& name : filters.section_names()) {
+    FilterSettings filter;
+    filter.name = name;
+    Parameters own(filters.section(name));
+    filter.parameters(own);
+    own.finish();
+    settings.filters.push_back(filter);
   }
   return settings;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "simulation/filter_settings.hpp"
 #include "simulation/probe_settings.hpp"
 
 namespace mudline {
@@ -28,6 +29,7 @@ class OutputSettings {
   bool error_estimate = false;  // estimate of the discretisation error, in fields and histories
   double target_error = 0.05;   // [-] relative error of the stress for which wanted element sizes are computed
   std::vector<ProbeSettings> probes;
+  std::vector<FilterSettings> filters;
 
   /// Makes the folder for the results. `section`: the deck's "output". InputError.
   void make_folder(const Section& section) const;

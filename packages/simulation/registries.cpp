@@ -116,6 +116,8 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.point_tests);
   docs.push_back(
       fixed("output", "what is written, where and how often", [](Parameters& p) { OutputSettings().parameters(p); }));
+  docs.push_back(fixed("filter", "mean pore pressure over a ring of a body's surface, or a strip in the plane",
+                       [](Parameters& p) { FilterSettings().parameters(p); }));
   append(docs, r.observers);
   docs.push_back(
       fixed("plugins", "shared libraries that bring further types", [](Parameters& p) { document_plugins(p); }));

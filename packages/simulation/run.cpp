@@ -12,6 +12,7 @@
 #include "core/told.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
+#include "simulation/filter_output.hpp"
 #include "simulation/initial_rates.hpp"
 #include "simulation/mesh_watch.hpp"
 #include "simulation/progress_log.hpp"
@@ -96,6 +97,7 @@ void Run::make_observers(Observers watchers) {
   add(std::make_unique<MeshWatch>());
   for (auto& watcher : watchers) add(std::move(watcher));
   add(std::make_unique<WallDissipation>());
+  add(std::make_unique<FilterOutput>(settings_.filters));
   add(std::make_unique<SafetyResults>(progress_.results));
   // these come after all that have columns and fields
   history_ = add(std::make_unique<HistoryOutput>(settings_, observers_, error_estimate_));

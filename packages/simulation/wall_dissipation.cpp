@@ -11,6 +11,7 @@
 #include "simulation/excess_pressure.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/pressed_direction.hpp"
+#include "simulation/pressed_sides.hpp"
 #include "simulation/results/dissipation.hpp"
 #include "tensor/mat.hpp"
 
@@ -103,13 +104,7 @@ void WallDissipation::add_side(const Model& model, const Side& side, const Nodal
 
 WallDissipation::Wall WallDissipation::look(const Model& model, const Contact& contact, const NodalView& excess) {
   Wall wall;
-  const std::vector<double> pressed = contact.nodal_pressure(model.store().committed());
-  for (const Side& side : model.mesh().side_sets().at(contact.partners().surface)) {
-    const ElementBlock& block = model.mesh().blocks()[side.block];
-    const std::vector<int> nodes = side_nodes(block.shape, side.side);
-    if (std::all_of(nodes.begin(), nodes.end(), [&](int a) { return pressed[block.nodes(side.element, a)] > 0; }))
-      add_side(model, side, excess, wall);
-  }
+  for (const Side& side : pressed_sides(model, contact)) add_side(model, side, excess, wall);
   const std::vector<double> sum =
       sum_over_ranks(*model.mesh().comm(), {wall.pressure, wall.thickness, wall.diffusivity, wall.area});
   if (!(sum[3] > 0)) return {};

@@ -85,6 +85,12 @@ def layers(of_mud, change=None, more=""):
     return whole("clay"), whole("clay").replace(section("clay"), section("clay") + more) + mud
 
 
+def filter_of(body, position="0.01", more=""):
+    place = parameter("position", "double", position) if position else ""
+    own = section("u2") + "\n" + parameter("body", "string", body) + "\n" + place + "\n" + more + "</ParameterList>"
+    return [(section("output"), section("output") + "\n" + section("filters") + "\n" + own + "</ParameterList>\n")]
+
+
 DECKS = [
     # a film of water
     with_film("film with multipliers", parameter("enforcement", "string", "augmented Lagrangian"),
@@ -226,6 +232,14 @@ DECKS = [
           "output/error estimate: expected true or false (bool), given the string 'stress'"),
     Wrong("probe outside", (parameter("tip", "Array(double)", "{0.0, 0.3}"), parameter("tip", "Array(double)", "{0.0, 0.4}")),
           "output/probes/tip: y = 0.4 lies outside the mesh, which reaches from 0 to 0.3", ranks=BOTH),
+    Wrong("filter of no body", filter_of("bal"), "output/filters/u2/body: unknown body 'bal' (did you mean 'ball'?)", at=parameter("body", "string", "bal"), ranks=BOTH),
+    Wrong("filter above its body", filter_of("ball", position="0.25"),
+          "output/filters/u2/position: no surface of body 'ball' lies between 0.2475 and 0.2525 m above its reference point; it reaches from 0 to 0.2 m", at=parameter("position", "double", "0.25"), ranks=BOTH),
+    Wrong("filter of negative height", filter_of("ball", more=parameter("height", "double", "-0.005")),
+          "output/filters/u2/height: -0.005 is out of range; allowed: (0, inf)", at=parameter("height", "double", "-0.005")),
+    Wrong("filter at no place", filter_of("ball", position=None), "output/filters/u2: required parameter 'position' is missing", at=section("u2")),
+    Wrong("filter that is a point", (section("output"), section("output") + section("filters") + parameter("u2", "Array(double)", "{0.1, 0.3}") + "</ParameterList>"),
+          "output/filters/u2: unknown parameter; none is allowed here"),
     Wrong("component", ('value="x"', 'value="z"'), "boundary conditions/axis/components: 'z' is not a choice; allowed: x, y, x y"),
     # space
     Wrong("mesh and points of the plane in space", ('value="axisymmetric"', 'value="three-dimensional"'),

@@ -106,6 +106,9 @@ DECKS = [
     Wrong("output parameter", ('name="history steps"', 'name="histroy steps"'),
           "output/histroy steps: unknown parameter (did you mean 'history steps'?)"),
     Wrong("output section", (section("probes"), section("probs")), "output/probs: unknown section (did you mean 'probes'?)"),
+    Wrong("filter parameter", (section("output"), section("output") + section("filters") + section("u2") + parameter("hight", "double", "0.005") +
+                               parameter("body", "string", "ball") + parameter("position", "double", "0.01") + "</ParameterList></ParameterList>"),
+          "output/filters/u2/hight: unknown parameter (did you mean 'height'?)"),
     Wrong("plugins parameter", (section("output"), section("plugins") + parameter("file", "Array(string)", "{a.so}") +
                                 "</ParameterList>" + section("output")),
           "plugins/file: unknown parameter (did you mean 'files'?)"),

@@ -63,7 +63,7 @@ class Results(RestartCase):
 class Sounding(RestartCase):
     """A cone penetration test: what is told is what the columns of forces and pressures say."""
     SMALL = settings("variables/push=0.3*diameter", "mesh/size near body=0.05*diameter", "mesh motion/boundary/size near focus=0.07*diameter",
-                     "output/name=cone")
+                     "output/observers/sounding/u2=0.15*diameter", "output/name=cone")  # u2: on the face, which touches
     AREA = math.pi / 4 * 0.0357**2
 
     def setUp(self):
@@ -76,7 +76,7 @@ class Sounding(RestartCase):
                  if of == "sounding"}
         history = History(self.result("cone", ".csv"))
         tip = history["body/cone/position y"]
-        net, u2 = (history[f"cone/sounding/{name}"] for name in ("net cone resistance", "excess pore pressure at the filter"))
+        net, u2 = (history[f"cone/sounding/{name}"] for name in ("net cone resistance", "excess pore pressure u2"))
         np.testing.assert_allclose(net, history["contact/cone/tip reaction y"] / self.AREA, rtol=1e-12)
         np.testing.assert_allclose(history["cone/sounding/cone factor"], net / (2e3 + 1.3e3 * (10 - tip)), rtol=1e-9)
         np.testing.assert_allclose(history["cone/sounding/pore pressure ratio"], u2 / np.where(net > 0, net, np.inf), rtol=1e-9, atol=1e-12)
@@ -84,10 +84,10 @@ class Sounding(RestartCase):
         for quantity in ("net cone resistance", "cone factor", "pore pressure ratio"):
             self.assertEqual(found["push", quantity], history["cone/sounding/" + quantity][end])
             self.assertNotIn(("dissipation", quantity), found)
-        half = found["dissipation", "excess pore pressure at the filter half dissipated after"]
+        half = found["dissipation", "excess pore pressure u2 half dissipated after"]
         after, since = u2[end + 1:], history.time[end + 1:] - history.time[end]
         peak = int(np.argmax(np.abs(after)))  # a filter that the soil has just reached may swing before
-        highest = found["dissipation", "highest excess pore pressure at the filter"]
+        highest = found["dissipation", "highest excess pore pressure u2"]
         first = peak + int(np.argmax(np.abs(after[peak:]) <= 0.5 * highest))
         self.assertTrue(since[first - 1] < half <= since[first], (since[first - 1], half, since[first]))
         # rigidity: G/s_u of Modified Cam Clay, the same at all depths
@@ -104,10 +104,12 @@ class Sounding(RestartCase):
     def test_refused(self):
         for setting, expected in (
                 ("body=con", "output/observers/sounding/body: unknown body 'con' (did you mean 'cone'?)"),
+                ("filter height=0", "output/observers/sounding/filter height: 0 is out of range; allowed: (0, inf)"),
+                ("u3=9", "output/observers/sounding/u3: no surface of body 'cone' lies between 8.998 and 9.002 m above its reference point; it reaches from "),
                 ("strengh=3", "output/observers/sounding/strengh: unknown parameter (did you mean 'strength'?)")):
             self.refused(expected, *self.deck, "--set", "output/observers/sounding/" + setting)
         for kind, more, expected in (
-                ("pile", {"body": "pile", "rigidity index": 100.0}, "rigidity index: has no effect without a 'filter'"),
+                ("pile", {"body": "pile", "rigidity index": 100.0}, "rigidity index: has no effect without a filter 'u2'"),
                 ("t-bar", {"body": "bar"}, "type: a cone penetration test is axisymmetric; the mesh is not")):
             deck = self.write("other.xml", deck_text("other", {"based on": kind, "output": {"observers": {"test": {
                 "type": "cone penetration test", **more}}}}))

@@ -128,6 +128,24 @@ class Endings(MudlineCase):
         self.assertIn("over the body's half width is 0.", "".join(warnings(*patient, "plausibility/penetration of width={0, 0.02}")))
         self.assertEqual(warnings(*patient, "plausibility/penetration of side={0, 1}"), [])
 
+    def test_stretched_sides(self):
+        """A mesh that keeps its topology: the run says once, at its end, how much the sides at the body were stretched."""
+        push = ["run", "-q", BALL, "--overwrite", "--set", "stages/push/duration=0.01"]
+        told = set()
+        for ranks in (1, 2):
+            done = program([*push, "--set", "plausibility/stretched sides={0, 1.0001}"], ranks, folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            line, = (line for line in done.stderr.splitlines() if "stretched sides" in line)
+            found = re.match(r"warning: contact 'ball on clay': the length of the longest side at the body over that in the mesh at the start, "
+                             r"([\d.]+) m over ([\d.]+) m at t [\d.]+ s on a mesh that keeps its topology, is ([\d.]+), usual is 0 to 1 \(", line)
+            self.assertIsNotNone(found, line)
+            now, before, ratio = (float(number) for number in found.groups())
+            self.assertAlmostEqual(now / before, ratio, delta=0.01)
+            self.assertIn("): pressures and friction along the wall are not to be read; give 'mesh motion/remeshing' a 'wall size'", line)
+            told.add(line)
+        self.assertEqual(len(told), 1)
+        self.assertNotIn("stretched sides", program(push, folder=self.folder).stderr)
+
     def test_too_many_steps(self):
         done = program(["run", "-q", BALL, "--set", "stages/push/time step/maximum steps=3"], folder=self.folder)
         self.assertEqual(done.returncode, 3)

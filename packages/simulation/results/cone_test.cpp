@@ -13,11 +13,17 @@ namespace mudline {
 namespace {
 
 constexpr const char *net_resistance = "net cone resistance", *factor = "cone factor", *ratio = "pore pressure ratio",
-                     *filter_pressure = "excess pore pressure at the filter",
                      *consolidation = "coefficient of consolidation";
 
 /// Time factor c_h t / (a^2 sqrt(I_r)) of half the dissipation behind the shoulder of a cone (Teh and Houlsby 1991).
 constexpr double half_dissipated = 0.245;
+
+/// The filters that a cone may have, by their names in the deck.
+constexpr struct {
+  const char *name, *place;
+} places[] = {{"u1", "on the face"}, {"u2", "behind the shoulder"}, {"u3", "behind the sleeve"}};
+
+std::string filter_pressure(const std::string& filter) { return "excess pore pressure " + filter; }
 
 }  // namespace
 
@@ -28,12 +34,22 @@ void ConeTest::parameters(Parameters& p) {
       "total vertical stress at the tip where the reaction of the soil contains it: the net resistance is without it. "
       "0 where it acts on the cone from above, too");
   p.add("strength", strength_, "Pa", "undrained strength of the soil at the tip, for the cone factor; 0: none");
-  p.add("filter", filter_, "m", "place of the filter (u2) at the start, which moves with the cone; not given: none");
+  for (const auto& [filter, place] : places) {
+    FilterSettings settings{filter, body_};
+    p.add(filter, settings.position, "m", any(),
+          std::string("height of the middle of the filter ") + place +
+              " above the body's reference point; not given: none");
+    if (!p.documenting() && p.given(filter)) settings_.push_back(settings);
+  }
+  p.add("filter height", height_, "m", positive(), "extent of every filter along the body's axis");
   p.add("rigidity index", rigidity_, "-", non_negative(),
         "shear modulus over undrained strength, for the coefficient of consolidation; 0: none");
   if (p.documenting()) return;
-  has_filter_ = p.given("filter");
-  if (p.given("rigidity index") && !has_filter_) p.deck().fail("has no effect without a 'filter'", "rigidity index");
+  for (FilterSettings& filter : settings_) filter.height = height_;
+  if (settings_.empty() && p.given("filter height"))
+    p.deck().fail("has no effect without a filter 'u1', 'u2' or 'u3'", "filter height");
+  if (p.given("rigidity index") && !p.given("u2"))
+    p.deck().fail("has no effect without a filter 'u2'", "rigidity index");
 }
 
 void ConeTest::bind(const Model& model, const Section& section) {
@@ -50,22 +66,14 @@ void ConeTest::bind(const Model& model, const Section& section) {
   }
   if (contacts != 1)
     section.fail("body '" + body_ + "' has " + std::to_string(contacts) + " contacts; allowed is one", "body");
-  if (has_filter_ && !(model.soil() && model.soil()->pressure >= 0))
-    section.fail("the model has no pore pressure", "filter");
+  for (const FilterSettings& filter : settings_) Filter::check(model, filter, section, filter.name);
 }
 
 void ConeTest::begin_run(const RunView& run) { remeshed(run); }
 
 void ConeTest::remeshed(const RunView& run) {
-  if (has_filter_)
-    probes_ = std::make_unique<Probes>(run.model, std::vector<ProbeSettings>{{"filter", filter_, false, body_}});
-}
-
-double ConeTest::pressure_at_filter(const RunView& run) const {
-  const auto row = probes_->values(
-      run.state, [&] { return run.pressure.values(); }, nullptr);
-  const HistoryValue* const found = find_value(row, "probe/filter/excess pore pressure");
-  return found != nullptr ? found->value : 0.0;
+  filters_.clear();
+  for (const FilterSettings& filter : settings_) filters_.emplace_back(run.model, filter);
 }
 
 void ConeTest::report(const RunView& run, Report& to) {
@@ -75,10 +83,15 @@ void ConeTest::report(const RunView& run, Report& to) {
   const double net = force / area_ - overburden_(run.state.time, tip), strength = strength_(run.state.time, tip);
   to[column(net_resistance)] = {"Pa", net};
   if (!strength_.is_zero()) to[column(factor)] = {"-", strength > 0 ? net / strength : 0.0};
-  if (!probes_) return;
-  const double pressure = pressure_at_filter(run);
-  to[column(filter_pressure)] = {"Pa", pressure};
-  to[column(ratio)] = {"-", net > 0 ? pressure / net : 0.0};
+  if (filters_.empty()) return;
+  const NodalView excess = run.pressure.values();
+  for (const Filter& filter : filters_) {
+    const Filter::Value value = filter.value(run.state, excess);
+    const std::string& which = filter.settings().name;
+    to[column(filter_pressure(which))] = {"Pa", value.excess};
+    to[column(filter_pressure(which) + " error")] = {"Pa", value.error};
+    if (which == "u2") to[column(ratio)] = {"-", net > 0 ? value.excess / net : 0.0};
+  }
 }
 
 void ConeTest::results(const RunView& run, ResultTable& to) {
@@ -88,18 +101,20 @@ void ConeTest::results(const RunView& run, ResultTable& to) {
     if (moves && found != run.report.end())
       to.set(run.stage.name, name, quantity, found->second.unit, found->second.value);
   }
-  const auto pressure = run.report.find(column(filter_pressure));
-  if (pressure != run.report.end()) follow_dissipation(run, pressure->second.value, moves, to);
+  for (const FilterSettings& filter : settings_) follow_dissipation(run, filter.name, moves, to);
 }
 
-void ConeTest::follow_dissipation(const RunView& run, double pressure, bool moves, ResultTable& to) const {
-  const std::string& stage = run.stage.name;
-  Dissipation dissipation(stage, name, filter_pressure, to);
+void ConeTest::follow_dissipation(const RunView& run, const std::string& filter, bool moves, ResultTable& to) const {
+  const std::string &stage = run.stage.name, quantity = filter_pressure(filter);
+  const auto pressure = run.report.find(column(quantity));
+  if (pressure == run.report.end() || pressure->second.value == 0) return;  // no soil touches the filter
+  Dissipation dissipation(stage, name, quantity, to);
   // what falls while the cone moves does not tell how fast the soil consolidates
   if (moves) dissipation.forget();
-  if (dissipation.follow(run.state.time - run.stage_start, run.dt, pressure) || moves)
-    to.remove(stage, name, consolidation);
-  const Result* const half = to.find(stage, name, std::string(filter_pressure) + " half dissipated after");
+  const bool new_peak = dissipation.follow(run.state.time - run.stage_start, run.dt, pressure->second.value);
+  if (filter != "u2") return;
+  if (new_peak || moves) to.remove(stage, name, consolidation);
+  const Result* const half = to.find(stage, name, quantity + " half dissipated after");
   if (half == nullptr || !(half->value > 0) || !(rigidity_ > 0)) return;
   to.set(stage, name, consolidation, "m2/s", half_dissipated * area_ / pi * std::sqrt(rigidity_) / half->value);
 }

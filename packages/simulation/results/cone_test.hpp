@@ -1,16 +1,17 @@
 #pragma once
 
-#include <memory>
 #include <string>
+#include <vector>
 
+#include "simulation/filter.hpp"
 #include "simulation/observer.hpp"
-#include "simulation/probes.hpp"
 
 namespace mudline {
 
 /// What a cone penetration test measures, and what follows from it, in columns of the history and in the results:
-/// net cone resistance, excess pore pressure u2 at the filter, pore pressure ratio B_q, cone factor N_kt, and from the
-/// dissipation at the filter the coefficient of consolidation c_h (Teh and Houlsby 1991, Geotechnique 41, 17-34).
+/// net cone resistance, excess pore pressures at up to three filters (u1 on the cone's face, u2 behind its shoulder, u3
+/// behind the sleeve), pore pressure ratio B_q, cone factor N_kt, and from the dissipation of u2 the coefficient of
+/// consolidation c_h (Teh and Houlsby 1991, Geotechnique 41, 17-34).
 class ConeTest : public Observer {
  public:
   void parameters(Parameters& p);
@@ -22,18 +23,16 @@ class ConeTest : public Observer {
 
  private:
   std::string column(const std::string& quantity) const { return "cone/" + name + "/" + quantity; }
-  /// Excess pore pressure at the filter [Pa]. Collective.
-  double pressure_at_filter(const RunView& run) const;
-  void follow_dissipation(const RunView& run, double pressure, bool moves, ResultTable& to) const;
+  void follow_dissipation(const RunView& run, const std::string& filter, bool moves, ResultTable& to) const;
 
   std::string body_;
   Function strength_, overburden_;
-  Point filter_{};  // [m] at the start
-  bool has_filter_ = false;
+  double height_ = FilterSettings().height;  // [m] of every filter
   double rigidity_ = 0;
-  double area_ = 0;                 // [m2] of the cone's section
-  std::string reaction_;            // column of the force on the cone
-  std::unique_ptr<Probes> probes_;  // null: no filter
+  double area_ = 0;                       // [m2] of the cone's section
+  std::string reaction_;                  // column of the force on the cone
+  std::vector<FilterSettings> settings_;  // of those filters that the deck gives
+  std::vector<Filter> filters_;           // they, on the run's present mesh
 };
 
 }  // namespace mudline

@@ -1,0 +1,26 @@
+#include "simulation/filter_output.hpp"
+
+#include "simulation/excess_pressure.hpp"
+#include "simulation/output/history_file.hpp"
+
+namespace mudline {
+
+void FilterOutput::remeshed(const RunView& run) {
+  filters_.clear();
+  for (const FilterSettings& filter : settings_) filters_.emplace_back(run.model, filter);
+}
+
+void FilterOutput::columns(const RunView& run, std::vector<HistoryValue>& to) {
+  if (filters_.empty()) return;
+  const NodalView excess = run.pressure.values();
+  for (const Filter& filter : filters_) {
+    const Filter::Value value = filter.value(run.state, excess);
+    const std::string start = "filter/" + filter.settings().name + "/";
+    to.push_back({start + "pore pressure", "Pa", value.pressure});
+    to.push_back({start + "excess pore pressure", "Pa", value.excess});
+    to.push_back({start + "pore pressure error", "Pa", value.error});
+    to.push_back({start + "covered share", "-", value.covered});
+  }
+}
+
+}  // namespace mudline
