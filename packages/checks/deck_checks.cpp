@@ -212,14 +212,10 @@ std::vector<char> saturated_nodes(const Model& model) {
 /// the soil would swell by as much water as the suction's end asks for. Collective.
 void check_suction(const Model& model, const Section& deck) {
   const Soil& soil = *model.soil();
-  if (soil.pressure < 0 || soil.excess) return;
-  bool geostatic = false;
-  for (const std::string& name : deck.section("physics").section_names())
-    geostatic =
-        geostatic || Setup::word(deck.section("physics").section(name).section("initial state"), "type") == "geostatic";
+  if (soil.pressure < 0 || soil.excess || !Setup::starts_geostatic(deck)) return;
   const auto first = std::find_if(model.stages().begin(), model.stages().end(),
                                   [](const auto& stage) { return stage->type != Stage::Type::geostatic; });
-  if (!geostatic || first == model.stages().end()) return;
+  if (first == model.stages().end()) return;
   const std::vector<char> saturated = saturated_nodes(model);
   const State& state = model.store().committed();
   const auto& dof = soil.space->node_dof(soil.pressure);

@@ -277,11 +277,7 @@ void flux_gradient(const Setup& setup, const Judge& judge) {
 /// Largest jump of the pore pressure that a condition makes at a geostatic start.
 void drawdown(const Setup& setup, const Judge& judge) {
   const Soil& soil = *setup.model().soil();
-  if (!setup.porous() || soil.excess || setup.gravity() == 0) return;
-  bool geostatic = false;
-  for (const Section& entry : setup.physics())
-    geostatic = geostatic || Setup::word(entry.section("initial state"), "type") == "geostatic";
-  if (!geostatic) return;
+  if (!setup.porous() || soil.excess || setup.gravity() == 0 || !Setup::starts_geostatic(setup.deck())) return;
   const State& state = setup.model().store().committed();
   const auto& dof = soil.space->node_dof(soil.pressure);
   const auto& stages = setup.model().stages();

@@ -66,6 +66,14 @@ double Setup::longest_extent() const {
   return longest;
 }
 
+bool Setup::starts_geostatic(const Section& deck) {
+  const Section physics = deck.section("physics");
+  const std::vector<std::string> names = physics.section_names();
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return word(physics.section(name).section("initial state"), "type") == "geostatic";
+  });
+}
+
 std::string Setup::word(const Section& section, const std::string& name, const std::string& fallback) {
   if (!section.has_parameter(name)) return fallback;
   const auto* text = value_of<std::string>(section.list().getEntry(name));

@@ -32,6 +32,7 @@ void SeepageFace::parameters(Parameters& p) {
 void SeepageFace::bind(const ConditionContext& context, const Section& section) {
   SideLoad::bind(context, section);
   soil_ = context.shared.find<Soil>();
+  if (!soil_ || soil_->temperature >= 0) section.fail("a seepage face is for the pore water of 'biot'", "type");
   if (soil_->excess)
     section.fail(
         "pore pressures are in excess of water at rest, and water meets no air; allowed with 'pore pressure' "
