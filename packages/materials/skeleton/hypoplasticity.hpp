@@ -43,7 +43,7 @@ struct Hypoplasticity {
   double evolution_exponent = 1.0, decay_exponent = 1.0;  // [-] betar, chi
   double shift = 0.0;                                     // [Pa] that makes T of the effective stress
   double minimum_mean_stress = 10.0;                      // [Pa] of T
-  double tolerance = 1e-4;                                // [-] relative error of one step
+  double tolerance = 1e-6;                                // [-] relative error of one step
   int maximum_substeps = 10000;                           // attempts per increment
 
   void parameters(Parameters& p);
