@@ -33,6 +33,7 @@ from standard_output import after_output  # noqa: E402
 FAVOURITES = [
     "excess pore pressure",
     "pore pressure",
+    "saturation",
     "displacement",
     "mean effective stress",
     "deviatoric stress",
@@ -251,7 +252,8 @@ def choose_fields(result, step, wanted):
                and not name.startswith("contact ")]
     ordered = special + [name for name in ordered if name not in special]
     if "excess pore pressure" in ordered and "pore pressure" in ordered:
-        ordered.remove("pore pressure")
+        # where soil dries, the pressure itself tells how far the water reaches
+        ordered.remove("excess pore pressure" if "saturation" in ordered else "pore pressure")
     ordered = ordered[:MAX_DEFAULT_FIELDS]
     if result.in_space and "displacement" in ordered:
         ordered.insert(ordered.index("displacement") + 1, "displacement z")

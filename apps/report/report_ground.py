@@ -18,6 +18,7 @@ OWN = (
     "overconsolidation ratio",
     "strength ratio",
     "rigidity index",
+    "saturation",
     "void ratio",
     "shear modulus",
     "hydraulic conductivity",

@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 sys.dont_write_bytecode = True
@@ -279,6 +280,15 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(page.count("data:image/png;base64"), 2)
         self.assertEqual(page.count("data:image/svg+xml;base64"), 3)
         self.assertEqual(page.count(" everywhere.</p>"), 6)
+
+    def test_pictures_of_drying_soil(self):
+        """Where soil dries, its pore pressure and saturation are shown, elsewhere the excess of the pressure."""
+        names = ["void ratio", "pore pressure", "excess pore pressure", "displacement"]
+        step = {name: SimpleNamespace(by_cell=False) for name in names}
+        result = SimpleNamespace(fields=lambda _: step, in_space=False)
+        self.assertEqual(mudline_report.choose_fields(result, 0, None)[:2], ["excess pore pressure", "displacement"])
+        step["saturation"] = SimpleNamespace(by_cell=True)
+        self.assertEqual(mudline_report.choose_fields(result, 0, None)[:2], ["pore pressure", "saturation"])
 
     def test_choices_and_pictures(self):
         code, out, _ = self.run_report(
