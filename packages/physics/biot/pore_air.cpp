@@ -1,6 +1,7 @@
 #include "physics/biot/pore_air.hpp"
 
 #include "framework/element_loop.hpp"
+#include "framework/residual_kernel.hpp"
 #include "physics/mixture.hpp"
 
 namespace mudline {
@@ -69,16 +70,6 @@ struct AirLoop {
   }
 };
 
-template <class Air>
-struct AirResidual {
-  Air air;
-  VectorScatter to;
-  KOKKOS_INLINE_FUNCTION void operator()(int e) const {
-    to.open(e);
-    air.residual(e, to);
-  }
-};
-
 class PoreAir : public Term {
  public:
   explicit PoreAir(std::shared_ptr<const Soil> soil) : soil_(std::move(soil)) {}
@@ -86,11 +77,7 @@ class PoreAir : public Term {
   Role role() const override { return Role::balance; }
   int residual(const StepView& view, const ResidualView& f) override {
     for_each_block(view, [&](const SoilBlock& b, const auto& air) {
-      using Air = std::decay_t<decltype(air)>;
-      in_order("residual rows", b.rows, 0, b.elements, VectorScatter{f, b.dofs},
-               [&](int first, int last, const VectorScatter& to) {
-                 Kokkos::parallel_for("pore air", Kokkos::RangePolicy<>(first, last), AirResidual<Air>{air, to});
-               });
+      add_residuals("pore air", b.rows, b.elements, b.dofs, air, f);
     });
     return 0;
   }

@@ -1,6 +1,7 @@
 #include "physics/biot/pressure_projection.hpp"
 
 #include "framework/element_loop.hpp"
+#include "framework/residual_kernel.hpp"
 #include "physics/soil_points.hpp"
 
 namespace mudline {
@@ -63,16 +64,6 @@ struct ProjectionLoop {
   }
 };
 
-template <class Loop>
-struct ProjectionResidual {
-  Loop loop;
-  VectorScatter to;
-  KOKKOS_INLINE_FUNCTION void operator()(int e) const {
-    to.open(e);
-    loop.residual(e, to);
-  }
-};
-
 }  // namespace
 
 template <class F>
@@ -90,11 +81,7 @@ void PressureProjection::for_each_block(const StepView& view, F&& f) const {
 
 int PressureProjection::residual(const StepView& view, const ResidualView& f) {
   for_each_block(view, [&](const SoilBlock& b, const auto& loop) {
-    using Kernel = ProjectionResidual<std::decay_t<decltype(loop)>>;
-    in_order("residual rows", b.rows, 0, b.elements, VectorScatter{f, b.dofs},
-             [&](int first, int last, const VectorScatter& to) {
-               Kokkos::parallel_for("projection", Kokkos::RangePolicy<>(first, last), Kernel{loop, to});
-             });
+    add_residuals("projection", b.rows, b.elements, b.dofs, loop, f);
   });
   return 0;
 }
