@@ -15,6 +15,8 @@ struct Case {
   std::string cell, geometry, skeleton, integrator;
   double tolerance;
   bool heat = false;
+  bool dries = false;          // soil with a retention, and a seepage face instead of an absorbing side
+  double pore_pressure = 2e4;  // [Pa] at the start
   bool space() const { return geometry == "three-dimensional"; }
   bool linear() const { return cell == "tri3" || cell == "quad4" || cell == "tet4" || cell == "hex8"; }
 };
@@ -37,30 +39,33 @@ std::string cam_clay() {
 
 std::string deck(const Case& c) {
   const std::string material =
-      number("void ratio", 0.8) + number("Biot coefficient", 0.9) + number("grain bulk modulus", 3e7) + c.skeleton +
-      list("fluid", text("type", "water") + number("bulk modulus", 5e7)) +
+      number("void ratio", 0.8) +
+      (c.dries ? list("retention", number("reference suction", 1e4) + number("residual saturation", 0.1))
+               : number("Biot coefficient", 0.9) + number("grain bulk modulus", 3e7)) +
+      c.skeleton + list("fluid", text("type", "water") + number("bulk modulus", 5e7)) +
       list("permeability", text("type", "kozeny-carman") + number("hydraulic conductivity", 1e-4)) +
       (c.heat ? list("heat",
                      number("conductivity", 1.5) + number("grain heat capacity", 800) + number("grain expansion", 3e-3))
               : "");
   const std::string physics =
       (c.heat ? text("type", "thermo-hydro-mechanical") + number("water expansion", 5e-3)
-              : text("type", "biot") + par("fluid acceleration", "bool", "true") +
+              : text("type", "biot") + par("fluid acceleration", "bool", c.dries ? "false" : "true") +
                     text("pressure", c.linear() ? "equal order" : "Taylor-Hood")) +
       numbers(c, "gravity", "Array(double)", "1.0", "0.5", "-9.81") + number("mass damping", 2.0) +
       number("stiffness damping", 1e-3) +
       list("initial state", text("type", "uniform") + number("effective stress xx", 8e4) +
                                 number("effective stress yy", 1e5) + number("effective stress zz", 8e4) +
-                                (c.space() ? number("shear stress yz", 5e3) : "") + number("pore pressure", 2e4));
+                                (c.space() ? number("shear stress yz", 5e3) : "") +
+                                number("pore pressure", c.pore_pressure));
   const std::string conditions =
       list("base", text("type", "fixed") + text("set", "bottom")) +
-      list("drain", text("type", "pore pressure") + text("set", "top") + number("value", 1e3)) +
+      list("drain", text("type", "pore pressure") + text("set", "top") + number("value", 0.05 * c.pore_pressure)) +
       list("shear", text("type", "traction") + text("set", "top") + number("x", 3e4) + number("y", -2e4) +
                         (c.space() ? number("z", 1e4) : "")) +
       list("push", text("type", "pressure") + text("set", "right") + number("value", 5e4)) +
       list("mud", text("type", "pressure") + text("set", "left") + text("value", "4e4*(1.2-y)*(1+x)") +
                       text("position", "present")) +
-      list("leave", text("type", "absorbing") + text("set", "right")) +
+      list("leave", text("type", c.dries ? "seepage face" : "absorbing") + text("set", "right")) +
       list("leak", text("type", "flux") + text("set", "left") + number("value", 1e-3));
   return list(
       "deck",
@@ -181,6 +186,14 @@ TEST(Jacobian, EqualsDifferencedResidualOfWarmSoil) {
   for (const char* geometry : {"plane strain", "axisymmetric"})
     for (const char* integrator : {"generalised alpha", "theta"})
       check({"tri6", geometry, elastic(), integrator, 1e-6, true});
+}
+
+TEST(Jacobian, EqualsDifferencedResidualOfSoilUnderSuction) {
+  for (const double pore_pressure : {-2e4, 2e4})
+    for (const char* integrator : {"generalised alpha", "theta"}) {
+      check({"tri6", "axisymmetric", elastic(), integrator, 1e-6, false, true, pore_pressure});
+      check({"hex27", "three-dimensional", elastic(), integrator, 1e-6, false, true, pore_pressure});
+    }
 }
 
 TEST(Jacobian, EqualsDifferencedResidualOfYieldingClay) {
