@@ -5,8 +5,8 @@ import re
 
 from mudline_case import ROOT
 
-# how an overlay says in its head what it is laid over
-OVER = re.compile(r"(?:Laid over|Overlay for|to be given after) (\w+)\.xml(?:, after (\w+)\.xml)?")
+# how an overlay says in its head what it is laid over: a deck of its folder, or with a path one from inputs
+OVER = re.compile(r"(?:Laid over|Overlay for|to be given after) ([\w/]+)\.xml(?:, after (\w+)\.xml)?")
 
 
 def shipped_decks():
@@ -20,6 +20,7 @@ def shipped_decks():
         over = OVER.search(re.sub(r"\s+", " ", text[:text.index("-->")]))
         if not over and not re.search(r'^  <ParameterList name="mesh">', text, flags=re.M):
             continue
-        below = [str(path.with_name(name + ".xml")) for name in over.groups() if name] if over else []
+        below = [str((inputs if "/" in name else path.parent) / (name + ".xml"))
+                 for name in over.groups() if name] if over else []
         decks[os.path.relpath(path.with_suffix(""), inputs)] = below + [str(path)]
     return decks
