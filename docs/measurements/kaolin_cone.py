@@ -22,8 +22,8 @@ FIRST, DEPTHS = 10.0, (6, 8, 10, 12, 14)  # [radii] from where the mean is taken
 
 
 def strength():
-    """Undrained strength [Pa] of the deck's clay in triaxial compression from its start: Modified Cam Clay at the critical
-    state, at the void ratio of the start."""
+    """Undrained strength [Pa] of the deck's clay in triaxial compression from its start: Modified Cam Clay at the
+    critical state, at the void ratio of the start."""
     ratio, compression, swelling, vertical, horizontal = 0.8985, 0.205, 0.044, 100e3, 60.93e3
     p, q = (vertical + 2 * horizontal) / 3, vertical - horizontal
     half = 0.5 * p * (1 + (q / p / ratio) ** 2)

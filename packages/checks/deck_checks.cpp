@@ -187,15 +187,13 @@ void check_read_pressures(const Model& model, const Section& deck) {
     double drying = 0;
     for (const Side& side : model.mesh().side_sets().at(partners.surface))
       if (model.soil()->blocks[side.block].dries) drying = 1;
-    if (max_over_ranks(*model.mesh().comm(), drying) > 0)
-      deck.section("contacts")
-          .section(name)
-          .fail(
-              "friction on the effective traction, films and laws that read the pore pressure are for saturated soil; "
-              "that "
-              "at '" +
-                  partners.surface + "' has a 'retention'. Allowed: friction 'on' = total, without a film",
-              "type");
+    if (max_over_ranks(*model.mesh().comm(), drying) == 0) continue;
+    const std::string why =
+        "friction on the effective traction, films and laws that read the pore pressure are for saturated soil; that "
+        "at '";
+    deck.section("contacts")
+        .section(name)
+        .fail(why + partners.surface + "' has a 'retention'. Allowed: friction 'on' = total, without a film", "type");
   }
 }
 

@@ -108,12 +108,11 @@ void suction(const Setup& setup, const Judge& judge) {
   lowest = min_over_ranks(*setup.mesh().comm(), lowest);
   judge(0.0 - lowest, "the suction at the start, above the water level",
         "soil without a 'retention' is saturated everywhere: give it one, put the water level at the surface, or begin "
-        "the mesh at the water level "
-        "with the soil above as 'surcharge' and load; or widen the range where capillary water reaches that high");
+        "the mesh at the water level with the soil above as 'surcharge' and load; or widen the range where capillary "
+        "water reaches that high");
 }
 
-/// Largest height of the cells that are drier than water at rest would leave them in, over that through which the soil
-/// dries.
+/// Largest height of the cells that start under suction, over the height in which their soil dries.
 void drying_cells(const Setup& setup, const Judge& judge) {
   const Soil& soil = *setup.model().soil();
   const State& state = setup.model().store().committed();

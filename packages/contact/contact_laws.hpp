@@ -30,8 +30,10 @@ class ContactLaws {
   const NormalLaw& normal() const { return *normal_; }
   /// Tangential over normal penalty; 0: no friction.
   double tangential_factor() const { return friction_ ? friction_->tangential_factor() : 0.0; }
-  /// The deck's law, friction or normal law, that reads the soil's undrained strength.
-  const std::optional<Section>& strength_reader() const { return strength_reader_; }
+  /// The partners of a contact with these laws; `opposite`: side set, empty for a body.
+  ContactPartners partners(const std::string& surface, const std::string& opposite, const RigidBody* body) const {
+    return {surface, opposite, body, friction_ != nullptr, strength_reader_, read_.pore_pressure};
+  }
   bool read_pore_pressure() const { return read_.pore_pressure; }
   /// Makes the contact read the pore pressure, whatever its laws read.
   void ask_for_pore_pressure() { read_.pore_pressure = true; }

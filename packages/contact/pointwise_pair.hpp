@@ -32,14 +32,7 @@ struct PointwiseParameters : TwoSurfaceParameters, PartParameters {
 /// With damping the state has "contact/<name>/damping", one row: its heat so far.
 class PointwisePairContact : public PointContact {
  public:
-  ContactPartners partners() const override {
-    return {deck_.slave,
-            deck_.master,
-            nullptr,
-            laws_.friction() != nullptr,
-            laws_.strength_reader(),
-            laws_.read_pore_pressure()};
-  }
+  ContactPartners partners() const override { return laws_.partners(deck_.slave, deck_.master, nullptr); }
   bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void declare_state(StateStore& store) override;
   void begin(const StepView& view) override;

@@ -184,11 +184,24 @@ void Filter::roughen(std::vector<WallSide>& sides) {
   }
 }
 
-Filter::Value Filter::value(const State& state, const NodalView& excess) const {
-  std::vector<WallSide> sides = touching(state, excess);
-  roughen(sides);
+std::vector<Filter::Value> Filter::values(const std::vector<Filter>& filters, const State& state,
+                                          const NodalView& excess) {
+  std::map<std::string, std::vector<WallSide>> walls;  // by body
+  std::vector<Value> result;
+  for (const Filter& filter : filters) {
+    const auto [wall, added] = walls.try_emplace(filter.settings_.body);
+    if (added) {
+      wall->second = filter.touching(state, excess);
+      roughen(wall->second);
+    }
+    result.push_back(filter.value(wall->second));
+  }
+  return result;
+}
+
+Filter::Value Filter::value(const std::vector<WallSide>& wall) const {
   Sums sums;
-  for (const WallSide& side : sides) add(side, sums);
+  for (const WallSide& side : wall) add(side, sums);
   if (!(sums.area > 0)) return {};
   return {sums.pressure / sums.area, sums.excess / sums.area, std::sqrt(sums.squared_roughness / sums.area),
           sums.area / area_};

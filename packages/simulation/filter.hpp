@@ -24,8 +24,9 @@ class Filter {
   static void check(const Model& model, const FilterSettings& settings, const Section& section,
                     const std::string& entry = "position");
   const FilterSettings& settings() const { return settings_; }
-  /// `excess`: excess pore pressure by overlap dof. Collective.
-  Value value(const State& state, const NodalView& excess) const;
+  /// Their values, in order; the wall of a body is gathered once for all of its filters. `excess`: excess pore pressure
+  /// by overlap dof. Collective.
+  static std::vector<Value> values(const std::vector<Filter>& filters, const State& state, const NodalView& excess);
 
  private:
   /// A side that touches: at its two ends, then in its middle.
@@ -48,6 +49,7 @@ class Filter {
   /// Of a side that has no neighbours nothing is known: half the difference of its pressures.
   static void roughen(std::vector<WallSide>& sides);
   void add(const WallSide& side, Sums& to) const;
+  Value value(const std::vector<WallSide>& wall) const;
   /// Area [m2] of the body's contour between the heights of the filter.
   double own_area() const;
 

@@ -12,10 +12,10 @@ void FilterOutput::remeshed(const RunView& run) {
 
 void FilterOutput::columns(const RunView& run, std::vector<HistoryValue>& to) {
   if (filters_.empty()) return;
-  const NodalView excess = run.pressure.values();
-  for (const Filter& filter : filters_) {
-    const Filter::Value value = filter.value(run.state, excess);
-    const std::string start = "filter/" + filter.settings().name + "/";
+  const std::vector<Filter::Value> values = Filter::values(filters_, run.state, run.pressure.values());
+  for (std::size_t k = 0; k < filters_.size(); ++k) {
+    const Filter::Value& value = values[k];
+    const std::string start = "filter/" + filters_[k].settings().name + "/";
     to.push_back({start + "pore pressure", "Pa", value.pressure});
     to.push_back({start + "excess pore pressure", "Pa", value.excess});
     to.push_back({start + "pore pressure error", "Pa", value.error});

@@ -35,14 +35,7 @@ class PenaltyContact : public PointContact {
   /// Binds to body and surface. InputError for unknown names, empty surfaces and deep initial overlap. Collective.
   void check(const Section& section);
 
-  ContactPartners partners() const override {
-    return {deck_.surface,
-            "",
-            body_.get(),
-            laws_.friction() != nullptr,
-            laws_.strength_reader(),
-            laws_.read_pore_pressure()};
-  }
+  ContactPartners partners() const override { return laws_.partners(deck_.surface, "", body_.get()); }
   void declare_state(StateStore& store) override;
   void begin(const StepView& view) override;
   bool asks_for_prediction() const override { return laws_.friction() != nullptr && body_->active(); }

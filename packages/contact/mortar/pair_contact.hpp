@@ -45,14 +45,7 @@ class PairContact : public Contact {
   void check(const Section& section);
 
   std::string name() const override { return "contact/" + name_; }
-  ContactPartners partners() const override {
-    return {deck_.slave,
-            deck_.master,
-            nullptr,
-            laws_.friction() != nullptr,
-            laws_.strength_reader(),
-            laws_.read_pore_pressure()};
-  }
+  ContactPartners partners() const override { return laws_.partners(deck_.slave, deck_.master, nullptr); }
   bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void predicting(bool on) override { predicting_ = on; }
   void declare_state(StateStore& store) override;

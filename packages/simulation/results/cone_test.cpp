@@ -84,10 +84,10 @@ void ConeTest::report(const RunView& run, Report& to) {
   to[column(net_resistance)] = {"Pa", net};
   if (!strength_.is_zero()) to[column(factor)] = {"-", strength > 0 ? net / strength : 0.0};
   if (filters_.empty()) return;
-  const NodalView excess = run.pressure.values();
-  for (const Filter& filter : filters_) {
-    const Filter::Value value = filter.value(run.state, excess);
-    const std::string& which = filter.settings().name;
+  const std::vector<Filter::Value> values = Filter::values(filters_, run.state, run.pressure.values());
+  for (std::size_t k = 0; k < filters_.size(); ++k) {
+    const Filter::Value& value = values[k];
+    const std::string& which = filters_[k].settings().name;
     to[column(filter_pressure(which))] = {"Pa", value.excess};
     to[column(filter_pressure(which) + " error")] = {"Pa", value.error};
     if (which == "u2") to[column(ratio)] = {"-", net > 0 ? value.excess / net : 0.0};

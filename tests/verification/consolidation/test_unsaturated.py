@@ -1,5 +1,5 @@
-"""Soil above the water table: infiltration against Srivastava and Yeh (1991), a dam with a free surface against Dupuit
-and Charny, rest above the water level, weight and stress by Bishop against quadrature, and the balance of water."""
+"""Soil above the water table: infiltration against Srivastava and Yeh (1991), a dam with a free surface against
+Dupuit and Charny, rest above the water level, weight and stress by Bishop against quadrature, and the balance of water."""
 import os
 import unittest
 
@@ -93,8 +93,8 @@ class Unsaturated(MudlineCase):
         self.infiltration("rain_in_space", cell="hex27", geometry="three-dimensional")
 
     def test_dam(self):
-        """The shipped deck. What flows through every section follows from the pore pressures of the two faces alone: Q =
-        k/(weight L) times the difference of the integrals of the potential of k_r (Charny 1951); without suction that
+        """The shipped deck. What flows through every section follows from the pore pressures of the two faces alone:
+        Q = k/(weight L) times the difference of the integrals of the potential of k_r (Charny 1951); without suction that
         is Dupuit's discharge."""
         width, height, suction = 4.0, 4.0, 5000.0
         history = self.run_deck(os.path.join(ROOT, "inputs", "consolidation", "dam.xml"))
@@ -221,8 +221,8 @@ class Unsaturated(MudlineCase):
             text = file.read()
         start = text.index('<ParameterList name="retention">')
         saturated = text[:start] + text[text.index("</ParameterList>", start) + len("</ParameterList>"):]
-        refused(saturated, "boundary conditions/drained: prescribes the pore pressure 0 Pa at (0, 10), where the start "
-                           "has a suction of 58860 Pa")
+        refused(saturated, "boundary conditions/drained: prescribes the pore pressure 0 Pa at (0, 10), where the "
+                           "start has a suction of 58860 Pa")
         done = program(["check", self.write("wetted.xml", text)], 1, self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         refused(text.replace('"reference suction"', '"referense suction"'),
