@@ -309,8 +309,7 @@ void check_probes(const Model& model, const OutputSettings& output, const Sectio
 void check_error_estimate(const Model& model, const OutputSettings& output, const Section& deck) {
   if (output.error_estimate && !model.soil())
     deck.section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
-  if (output.error_estimate && model.soil()->dries())
-    deck.section("output").fail("it is for saturated soil; a material has a 'retention'", "error estimate");
+  if (output.error_estimate) model.soil()->require_saturated(deck.section("output"), "error estimate");
   const Ale* ale = model.ale();
   if (ale && ale->remeshing() && ale->remeshing()->adaptive() && !output.error_estimate)
     deck.section("mesh motion")

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "checks/setup.hpp"
 #include "integrator/overlap.hpp"
@@ -116,8 +115,6 @@ void suction(const Setup& setup, const Judge& judge) {
 void drying_cells(const Setup& setup, const Judge& judge) {
   const Soil& soil = *setup.model().soil();
   const State& state = setup.model().store().committed();
-  std::map<std::string, Section> entries;
-  for (const Section& entry : setup.materials()) entries.emplace(entry.name(), entry);
   double coarsest = 0;
   for (const SoilBlock& b : soil.blocks) {
     if (!b.dries) continue;
@@ -131,8 +128,8 @@ void drying_cells(const Setup& setup, const Judge& judge) {
         low = std::min(low, y);
         high = std::max(high, y);
       }
-      const Span suction = setup.given(entries.at(material.name).section("retention"), "reference suction");
-      coarsest = std::max(coarsest, (high - low) * material.fluid->unit_weight() / suction.high);
+      const double dries_over = material.retention.reference_suction() / material.fluid->unit_weight();
+      coarsest = std::max(coarsest, (high - low) / dries_over);
     }
   }
   coarsest = max_over_ranks(*setup.mesh().comm(), coarsest);

@@ -14,6 +14,7 @@ class Retention {
   void parameters(Parameters& p);
   /// Whether the material has a section of this kind; otherwise it is saturated at all suctions.
   bool acts() const { return acts_; }
+  double reference_suction() const { return reference_suction_; }  // [Pa]
 
   /// Share of the pores that water fills [-].
   template <class T>

@@ -223,6 +223,10 @@ bool Soil::dries() const {
   return std::any_of(blocks.begin(), blocks.end(), [](const SoilBlock& b) { return b.dries; });
 }
 
+void Soil::require_saturated(const Section& section, const std::string& entry) const {
+  if (dries()) section.fail("it is for saturated soil; a material has a 'retention'", entry);
+}
+
 bool Soil::layered() const {
   return std::any_of(blocks.begin(), blocks.end(), [](const SoilBlock& b) { return b.made_of.size() > 1; });
 }

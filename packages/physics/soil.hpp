@@ -122,6 +122,8 @@ struct Soil {
   bool layered() const;
   /// Whether some material has a retention: under suction it is not saturated.
   bool dries() const;
+  /// InputError through `section` for something that knows saturated soil only, where a material has a retention.
+  void require_saturated(const Section& section, const std::string& entry) const;
   /// Any material of a block, for properties that all have in common (the pore fluid).
   const SoilMaterial& any_of(const SoilBlock& b) const { return *materials[b.made_of.front()]; }
   /// Fills SoilBlock::start. InputError through `section`, the deck's "materials", where soil lies above the tops of

@@ -11,7 +11,7 @@ inline std::shared_ptr<Soil> soil_with_water(const PhysicsContext& context, cons
   const auto soil = context.shared.find<Soil>();
   if (!soil || soil->pressure < 0)
     section.fail("there is no pore water: name a physics of saturated soil before this one", "type");
-  if (soil->dries()) section.fail("it is for saturated soil; a material has a 'retention'", "type");
+  soil->require_saturated(section, "type");
   return soil;
 }
 

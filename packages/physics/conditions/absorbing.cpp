@@ -36,7 +36,7 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
   SideLoad::bind(context, section);
   soil_ = context.shared.find<Soil>();
   if (!soil_) section.fail("an absorbing boundary needs a physics with soil", "type");
-  if (soil_->dries()) section.fail("it is for saturated soil; a material has a 'retention'", "type");
+  soil_->require_saturated(section, "type");
   for (const Part& part : parts_) impedance_.emplace_back("impedance", part.block.sides, 2);
 }
 
