@@ -35,6 +35,11 @@ struct SplitCommand {
   std::string output;  // "": named after the deck
 };
 
+struct MeshCommand {
+  std::string result;  // results and a stage, 'results/pile@set-up'
+  std::string output;
+};
+
 struct PointCommand {
   DeckOptions deck;
   bool conformance = false;  // check the laws instead of running the tests
@@ -72,6 +77,7 @@ std::vector<char*> argv_of(std::vector<std::string>& command);
 int run(const RunCommand& command);
 int check(const CheckCommand& command);
 int split(const SplitCommand& command);
+int mesh(const MeshCommand& command);
 int point(const PointCommand& command);
 /// `mudline point --profile`.
 int profile(const PointCommand& command);

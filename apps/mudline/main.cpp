@@ -70,7 +70,7 @@ bool needs_mpi(const std::vector<std::string>& words) {
     if (std::getenv(launched) != nullptr) return true;
   const auto given = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   if (given("--help") || given("-h")) return false;
-  return given("run") || given("check") || given("point") || given("split");
+  return given("run") || given("check") || given("point") || given("split") || given("mesh");
 }
 
 /// Whether all ranks come here within some time. Input errors occur on all ranks alike, but foreign code may throw one
@@ -176,6 +176,16 @@ Command split_command(CLI::App& app) {
   return {command, [split] { return cli::split(*split); }};
 }
 
+Command mesh_command(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("mesh", "write the mesh in which a run ended a stage, for Gmsh and for other decks");
+  const auto mesh = std::make_shared<cli::MeshCommand>();
+  command->add_option("result", mesh->result, "results and the stage: results/pile@set-up")->required();
+  command->add_option("-o,--output", mesh->output, "the file, of Gmsh's format 2.2")->required();
+  command->footer("example: mudline mesh results/pile@set-up -o installed_pile.msh");
+  return {command, [mesh] { return cli::mesh(*mesh); }};
+}
+
 Command list_command(CLI::App& app) {
   struct Options {
     std::string kind, plugin;
@@ -228,6 +238,7 @@ std::vector<Command> all_commands(CLI::App& app, const std::vector<std::string>&
           point_command(app),
           check_command(app),
           split_command(app),
+          mesh_command(app),
           list_command(app),
           explain_command(app),
           template_command(app),

@@ -19,6 +19,7 @@
 #include "discretisation/mesh_topology.hpp"
 #include "simulation/branch.hpp"
 #include "simulation/plugin.hpp"
+#include "simulation/result_start.hpp"
 #include "simulation/run.hpp"
 #include "simulation/run_start.hpp"
 
@@ -34,6 +35,7 @@ struct Loaded {
   std::unique_ptr<Model> model;
   OutputSettings output;
   RunStart start;
+  NodalView reference_pressure;  // of a result that the initial state is taken from
   std::unique_ptr<Plausibility> plausibility;
   Observers observers;
 };
@@ -46,7 +48,7 @@ struct BranchOf {
 
 /// `of`: what the deck is a branch of; null: it is none.
 std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts,
-                             const BranchOf* of = nullptr) {
+                             const BranchOf* of = nullptr, bool restart = false) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
   loaded->deck = deck;
@@ -67,6 +69,11 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   if (of) loaded->output.name = of->branch.result_name(of->main.output.name);
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
   check_deck(*loaded->model, *loaded->root);
+  const ResultStart from_result(*loaded->root);
+  // a branch, and a run that goes on although the result is gone, have their own state
+  const bool goes_on = restart && !from_result.exists() && has_results(*comm, loaded->output.stem());
+  if (from_result.given() && !of && !goes_on)
+    loaded->reference_pressure = from_result.apply(*loaded->model, loaded->deck);
   agree(*comm, [&] {
     loaded->start = of ? RunStart::at(of->main.output.stem(), of->branch.from())
                        : RunStart::read(loaded->root->section("start"), loaded->output.stem());
@@ -101,6 +108,7 @@ ExitCode run_one(Loaded& loaded, const RunCommand& command) {
   options.accept_changes = command.accept_changes;
   options.overwrite = command.overwrite;
   options.start = loaded.start.checkpoint();
+  options.reference_pressure = loaded.reference_pressure;
   options.maximum_steps = command.steps;
   const Origin origin{loaded.deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
@@ -119,9 +127,10 @@ ExitCode run_one(Loaded& loaded, const RunCommand& command) {
 /// The deck's own run and its branches. All of them are read and checked before the first one begins.
 class Family {
  public:
-  Family(Deck deck, const std::string& name, std::string mesh_parts) : mesh_parts_(std::move(mesh_parts)) {
+  Family(Deck deck, const std::string& name, std::string mesh_parts, bool restart = false)
+      : mesh_parts_(std::move(mesh_parts)) {
     branches_ = Branch::take(deck);
-    main_ = load(deck, name, mesh_parts_);
+    main_ = load(deck, name, mesh_parts_, nullptr, restart);
     for (const Branch& branch : branches_) load_branch(branch);
   }
 
@@ -144,7 +153,7 @@ class Family {
 }  // namespace
 
 int run(const RunCommand& command) {
-  Family family(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
+  Family family(read_deck(command.deck), result_name(command.deck), command.mesh_parts, command.restart);
   catch_signals();
   describe(*family.main().model);
   family.main().plausibility->print();

@@ -75,11 +75,12 @@ double soil_volume(const GhostedMesh& mesh, const Soil& soil, const Positions& x
 }
 
 std::vector<double> point_volumes(const BlockPoints& at, Geometry geometry) {
-  const auto& [mesh, block, x] = at;
+  const GhostedMesh& mesh = at.mesh;
+  const SoilBlock& block = at.block;
   std::vector<double> result(mesh.block_elements(block.block).size() * block.points);
   for (int e : mesh.block_elements(block.block))
     for (int q = 0; q < block.points; ++q)
-      result[mesh.first_row(e, block.points) + q] = part(mesh.elements()[e], block, q, x, geometry).volume;
+      result[mesh.first_row(e, block.points) + q] = part(mesh.elements()[e], block, q, at.x, geometry).volume;
   return result;
 }
 
@@ -136,7 +137,8 @@ namespace {
 /// Shares of the materials in each point: (row, material of the block).
 std::vector<double> shares_of(const BlockPoints& at, const Soil& soil, int origin, const std::vector<double>& table,
                               int columns) {
-  const auto& [mesh, block, x] = at;
+  const GhostedMesh& mesh = at.mesh;
+  const SoilBlock& block = at.block;
   const std::size_t count = block.made_of.size();
   std::vector<double> result(table.size() / columns * count, 1.0);
   std::vector<Point> starts(block.points, Point{});
@@ -163,7 +165,8 @@ struct HeldGrains {
   HeldGrains(const BlockPoints& at, const Soil& soil_of, int void_ratio, int origin, const std::vector<double>& table,
              int columns, const std::vector<double>& ratios)
       : shares(shares_of(at, soil_of, origin, table, columns)) {
-    const auto& [mesh, block, x] = at;
+    const GhostedMesh& mesh = at.mesh;
+    const SoilBlock& block = at.block;
     const std::size_t count = block.made_of.size();
     soil.resize(shares.size(), 0.0);
     grains = smooth = soil;
@@ -171,7 +174,7 @@ struct HeldGrains {
     for (int e : mesh.own_elements(block.block))
       for (int q = 0; q < block.points; ++q) {
         const std::size_t row = mesh.first_row(e, block.points) + q;
-        parts[row] = part(mesh.elements()[e], block, q, x, soil_of.geometry);
+        parts[row] = part(mesh.elements()[e], block, q, at.x, soil_of.geometry);
         for (std::size_t k = row * count; k < (row + 1) * count; ++k) {
           soil[k] = shares[k] * parts[row].volume;
           grains[k] = soil[k] / (1 + table[row * columns + void_ratio]);

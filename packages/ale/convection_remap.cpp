@@ -59,7 +59,8 @@ class TwiceRecovered {
 
  private:
   static std::vector<double> left_out(const PointTransfer& t, const Recovery& recovered) {
-    const auto& [mesh, block, x] = t.before;
+    const GhostedMesh& mesh = t.before.mesh;
+    const SoilBlock& block = t.before.block;
     std::vector<double> rest = t.old, here(t.columns);
     for (int e : mesh.block_elements(block.block))
       for (int q = 0; q < block.points; ++q) {
@@ -88,8 +89,9 @@ void ConvectionRemap::parameters(Parameters& p) {
 }
 
 void ConvectionRemap::transfer(const PointTransfer& t) const {
-  const auto& [mesh, block, x_old] = t.before;
-  const Positions& x_new = t.after.x;
+  const GhostedMesh& mesh = t.before.mesh;
+  const SoilBlock& block = t.before.block;
+  const Positions &x_old = t.before.x, &x_new = t.after.x;
   const Recovery recovered(mesh, block, t.patches, x_old, t.old, t.columns);
   const PointLocator locator(mesh, x_old);
   const ColumnBounds bounds(t.variables);
@@ -137,11 +139,12 @@ void RecoveryRemap::transfer(const PointTransfer& t) const {
   const PointLocator locator(t.before.mesh, t.before.x);
   const ColumnBounds bounds(t.variables);
   std::vector<double> there(t.columns);
-  const auto& [mesh, block, x] = t.after;
+  const GhostedMesh& mesh = t.after.mesh;
+  const SoilBlock& block = t.after.block;
   int guess = t.before.mesh.block_elements(t.before.block.block).front();
   for (int e : mesh.own_elements(block.block))
     for (int q = 0; q < block.points; ++q) {
-      const MeshPlace place = locator.find(Recovery::position(mesh.elements()[e], block, q, x), guess);
+      const MeshPlace place = locator.find(t.after.place(e, q), guess);
       guess = place.element;
       recovered.at(place, there.data());
       double* row = &t.now[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * t.columns];

@@ -124,7 +124,8 @@ class Planes {
 }  // namespace
 
 void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vector<char>& known) {
-  const auto& [mesh, block, x] = t.before;
+  const GhostedMesh& mesh = t.before.mesh;
+  const SoilBlock& block = t.before.block;
   const int points = block.points;
   for (int ring = 2; ring < 2 + rings; ++ring) {
     std::vector<int> pending(known.size(), -1);  // index in found; -1: the row gets no value in this ring
@@ -140,7 +141,7 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
         const bool touches = std::count(nodes.begin(), nodes.begin() + num_corners(block.shape), patch.node) > 0;
         for (int q = 0; q < points; ++q) {
           const std::size_t row = mesh.first_row(e, points) + q;
-          const auto place = Recovery::position(mesh.elements()[e], block, q, x);
+          const Point place = t.before.place(e, q);
           all.push_back(place);
           if (known[row] != 0) rows.push_back(&table[row * t.columns]);
           if (known[row] != 0) places.push_back(place);
@@ -187,6 +188,37 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
   }
 }
 
+SoilTable SoilTable::of(const StateStore& store, const SoilBlock& b) {
+  SoilTable table;
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    if (store.info(handle).block != b.block) continue;
+    if (handle == b.stress) table.stress = table.columns;
+    if (handle == b.void_ratio) table.void_ratio = table.columns;
+    if (handle == b.law) table.law = table.columns;
+    if (handle == b.origin) table.origin = table.columns;
+    if (handle == b.conductivity) table.conductivity = table.columns;
+    if (handle == b.permeability) table.permeability = table.columns;
+    for (const StateVariable& variable : store.info(handle).variables) {
+      table.columns += variable.components;
+      table.variables.push_back(variable);
+    }
+  }
+  return table;
+}
+
+PointView SoilTable::rows(const StateStore& store, const State& state, const SoilBlock& b) {
+  const int count = b.elements * b.points;
+  PointView table("points", count, of(store, b).columns);
+  int column = 0;
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    if (store.info(handle).block != b.block) continue;
+    const PointView& rows = state.arrays[handle];
+    for (std::size_t c = 0; c < rows.extent(1); ++c, ++column)
+      for (int i = 0; i < count; ++i) table(i, column) = rows(i, c);
+  }
+  return table;
+}
+
 std::vector<StateVariable> LayerRemap::variables_of(int material, const SoilTable& table) const {
   std::vector<StateVariable> result;
   int column = 0, width = 0;  // of the law's columns in the table
@@ -228,7 +260,7 @@ std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, in
   const SoilMaterial& soil = *soil_.materials[material];
   InitialPoint point;
   point.position = {};
-  for (int d = 0; d < t.after.mesh.dimension(); ++d) point.position[d] = now[table.origin + 1 + d];
+  for (int d = 0; d < t.before.mesh.dimension(); ++d) point.position[d] = now[table.origin + 1 + d];
   point.height = soil_.height(point.position);
   std::copy_n(now + table.stress, 6, point.stress.begin());
   point.void_ratio = now[table.void_ratio];
@@ -258,13 +290,14 @@ LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t,
       return ring != 0 && ring <= rings;  // the outermost ring serves the fits of the others
     });
   };
-  const auto& [mesh, block, x] = t.after;
+  const GhostedMesh& mesh = t.after.mesh;
+  const SoilBlock& block = t.after.block;
   int found = t.before.mesh.block_elements(t.before.block.block).front();
   for (int e : mesh.own_elements(block.block))
     for (int q = 0; q < block.points; ++q) {
       const std::size_t row = mesh.first_row(e, block.points) + q;
       if (t.moved() && was[row] == material) continue;
-      found = locator.find(Recovery::position(mesh.elements()[e], block, q, x), t.moved() ? e : found).element;
+      found = locator.find(t.after.place(e, q), t.moved() ? e : found).element;
       result.near[row] = (!t.moved() || known[row] != 0) && reached(found);
     }
   return result;
@@ -282,7 +315,8 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
     for (int material : t.after.block.made_of) result.ratios.before.push_back(versions.at(material).void_ratio[row]);
   for (std::size_t first = table.void_ratio; first < t.now.size(); first += t.columns)
     for (int material : t.after.block.made_of) result.ratios.after.push_back(versions.at(material).now[first]);
-  const auto& [mesh, block, x] = t.after;
+  const GhostedMesh& mesh = t.after.mesh;
+  const SoilBlock& block = t.after.block;
   for (int e : mesh.own_elements(block.block))
     for (int q = 0; q < block.points; ++q) {
       const int row = mesh.first_row(e, block.points) + q, material = result.is[row];
@@ -292,10 +326,11 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
       result.changed += t.moved() && result.was[row] != material;
       if (version.near[row])
         for (int c = 0; c < t.columns; ++c)
-          if (c < table.origin || c > table.origin + mesh.dimension()) t.now[first + c] = version.now[first + c];
+          if (c < table.origin || c > table.origin + t.before.mesh.dimension())
+            t.now[first + c] = version.now[first + c];
       if (version.near[row]) continue;
       ++result.started;
-      const std::string at = place_text(Recovery::position(mesh.elements()[e], block, q, x), mesh.dimension()),
+      const std::string at = place_text(t.after.place(e, q), t.before.mesh.dimension()),
                         name = soil_.materials[material]->name, problem = start(t, table, material, row);
       if (result.where.empty()) result.where = "material '" + name + "' at " + at;
       if (result.problem.empty() && !problem.empty())

@@ -10,10 +10,15 @@ namespace mudline {
 
 /// Column layout of a block's point data during a transfer.
 struct SoilTable {
-  int columns;
-  int stress, void_ratio, law, origin;   // first columns; origin: number of the material, then the place at the start
-  int conductivity;                      // first column; -1: there is none
-  std::vector<StateVariable> variables;  // variables that the columns hold, for the widest law
+  int columns = 0;
+  // first columns; -1: there are none. Origin: number of the material, then the place at the start
+  int stress = -1, void_ratio = -1, law = -1, origin = -1, conductivity = -1, permeability = -1;
+  std::vector<StateVariable> variables = {};  // variables that the columns hold, for the widest law
+
+  /// All point data of a block, in the order of their handles.
+  static SoilTable of(const StateStore& store, const SoilBlock& block);
+  /// The values of a state, by row of this rank's points.
+  static PointView rows(const StateStore& store, const State& state, const SoilBlock& block);
 };
 
 /// Changes of the points' materials by a transfer.

@@ -102,23 +102,6 @@ void MeshTransfer::transfer_field(int field, const ConstNodalView& old, const No
               nodal_.apply(from_.gather(old_ale_.space(), field, old), what.components, what.support, limited), now);
 }
 
-SoilTable MeshTransfer::table_of(const StateStore& store, const SoilBlock& b) {
-  SoilTable table{0, -1, -1, -1, -1, -1, {}};
-  for (int handle = 0; handle < store.num_arrays(); ++handle) {
-    if (store.info(handle).block != b.block) continue;
-    if (handle == b.stress) table.stress = table.columns;
-    if (handle == b.void_ratio) table.void_ratio = table.columns;
-    if (handle == b.law) table.law = table.columns;
-    if (handle == b.origin) table.origin = table.columns;
-    if (handle == b.conductivity) table.conductivity = table.columns;
-    for (const StateVariable& variable : store.info(handle).variables) {
-      table.columns += variable.components;
-      table.variables.push_back(variable);
-    }
-  }
-  return table;
-}
-
 void MeshTransfer::conserve_grains(const PointTransfer& transfer, const SoilTable& table, const LayerRatios& ratios,
                                    MeshReceipt& receipt) const {
   const Soil& soil = ale_.soil();
@@ -146,7 +129,7 @@ void MeshTransfer::transfer_block(std::size_t k, const StateStore& old_store, co
   const RecoveryPatches& patches = moved() ? ale_.patches(k) : *of_old;
   const Remap& remap = moved() ? ale_.remap() : recovery_;
   // all of the block's point data in one table: points are located and patches fitted once
-  SoilTable columns = table_of(store, b);
+  SoilTable columns = SoilTable::of(store, b);
   const auto each = [&](const auto& visit) {
     int column = 0;
     for (int handle = 0; handle < store.num_arrays(); ++handle) {
@@ -157,12 +140,8 @@ void MeshTransfer::transfer_block(std::size_t k, const StateStore& old_store, co
     }
   };
   const PointRules rules(columns.variables);
-  PointView table("", b_old.elements * b_old.points, columns.columns);
-  each([&](int handle, int c, int column) {
-    const PointView& rows = old_state.arrays[old_store.find(store.info(handle).name)];
-    for (int i = 0; i < b_old.elements * b_old.points; ++i) table(i, column) = rows(i, c);
-  });
-  std::vector<double> old = before.mesh.gather_points(b_old.block, b_old.points, table);
+  std::vector<double> old =
+      before.mesh.gather_points(b_old.block, b_old.points, SoilTable::rows(old_store, old_state, b_old));
   rules.to_densities(before, soil.geometry, old, columns.variables);
   std::vector<double> now = old;
   if (!moved()) now.assign(after.mesh.block_elements(b.block).size() * b.points * columns.columns, 0.0);

@@ -41,8 +41,6 @@ class MeshTransfer {
 
  private:
   bool moved() const { return &from_ == &to_; }
-  /// Column layout of the table of all point data of a block, in the order of their handles.
-  static SoilTable table_of(const StateStore& store, const SoilBlock& block);
   /// All point data of one block.
   void transfer_block(std::size_t k, const StateStore& old_store, const State& old, const StateStore& store,
                       const State& now, MeshReceipt& receipt) const;

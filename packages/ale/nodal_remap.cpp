@@ -6,7 +6,6 @@
 #include <set>
 
 #include "ale/face_locator.hpp"
-#include "ale/point_locator.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -73,6 +72,15 @@ NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh
     }
   put_on_new_faces(from, to);
   for (std::size_t p = 0; p < to.paths.size(); ++p) put_on_new_path(from.paths[p], to.paths[p], from.x, to.x);
+}
+
+NodalRemap::NodalRemap(const GhostedMesh& from, const GhostedMesh& to,
+                       const std::vector<std::pair<int, MeshPlace>>& places)
+    : mesh_(from), to_(to), places_(to.num_nodes()) {
+  for (const auto& [node, found] : places) {
+    places_[node].element = found.element;
+    std::copy(found.xi, found.xi + 3, places_[node].xi);
+  }
 }
 
 void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {

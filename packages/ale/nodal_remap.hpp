@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ale/mesh_paths.hpp"
+#include "ale/point_locator.hpp"
 #include "ale/surface_motion.hpp"
 
 namespace mudline {
@@ -26,6 +27,8 @@ class NodalRemap {
   /// Interpolation to another mesh of the same regions, with the same paths and patches in the same order. `from` must
   /// have the elements where this rank's nodes of `to` are.
   NodalRemap(const Bounded& from, const Bounded& to);
+  /// Interpolation to nodes of another mesh, with the places of this rank's own nodes in the old one.
+  NodalRemap(const GhostedMesh& from, const GhostedMesh& to, const std::vector<std::pair<int, MeshPlace>>& places);
   /// `support`: which nodes carry the field; (node, component) in and out. `limited`: each value stays within the range
   /// of those it is interpolated from, for fields that jump from node to node, where quadratic shape functions
   /// overshoot more with every remap; it clips the peaks of smooth fields. Collective.

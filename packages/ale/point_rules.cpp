@@ -66,19 +66,20 @@ void PointRules::to_totals(const PointTransfer& t, Geometry geometry) const {
 void PointRules::take_nearest(const PointTransfer& t) const {
   const std::vector<int> columns = of(Transfer::nearest);
   if (columns.empty()) return;
-  const auto& [mesh, block, x] = t.before;
-  const PointLocator locator(mesh, x);
+  const GhostedMesh& mesh = t.before.mesh;
+  const SoilBlock& block = t.before.block;
+  const PointLocator locator(mesh, t.before.x);
   const std::vector<int>& there = mesh.block_elements(block.block);
   if (there.empty()) return;
   int guess = there.front();
   for (int e : t.after.mesh.own_elements(t.after.block.block))
     for (int q = 0; q < t.after.block.points; ++q) {
-      const Point place = Recovery::position(t.after.mesh.elements()[e], t.after.block, q, t.after.x);
+      const Point place = t.after.place(e, q);
       guess = locator.find(place, t.moved() ? e : guess).element;
       int nearest = 0;
       double least = 1e300;
       for (int k = 0; k < block.points; ++k) {
-        const double away = distance(place, Recovery::position(mesh.elements()[guess], block, k, x));
+        const double away = distance(place, t.before.place(guess, k));
         if (away >= least) continue;
         least = away;
         nearest = k;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "ale/axial_section.hpp"
 #include "framework/normal_equations.hpp"
 
 namespace mudline {
@@ -86,6 +87,11 @@ Point Recovery::position(const GhostedMesh::Element& element, const SoilBlock& b
   for (int a = 0; a < block.u.nodes; ++a)
     for (int d = 0; d < dim; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
   return result;
+}
+
+Point BlockPoints::place(int element, int point) const {
+  const Point at = Recovery::position(mesh.elements()[element], block, point, x);
+  return turned ? AxialSection::place(at) : at;
 }
 
 RecoveryPatches::RecoveryPatches(const GhostedMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {

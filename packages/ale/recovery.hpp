@@ -85,6 +85,10 @@ struct BlockPoints {
   const GhostedMesh& mesh;
   const SoilBlock& block;
   const Positions& x;
+  bool turned = false;  // the mesh is one of space, and its places are looked for in an axisymmetric section
+
+  /// The place of an element's point, in the section where they are looked for there.
+  Point place(int element, int point) const;
 };
 
 }  // namespace mudline

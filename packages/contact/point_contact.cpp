@@ -483,14 +483,18 @@ void PointContact::touch_first(std::size_t side, const State& committed, FirstTo
       found.deepest = std::max(found.deepest, -gap);
       continue;
     }
-    double pressure = 0;
-    if (parts_.initial_gap.presses()) pressure = in_situ_pressure(side, c, committed, place, outward, point.normal);
+    const int row = first_row_[side] + c;
+    Point traction{};
+    if (parts_.initial_gap.presses()) traction = start_traction(side, row, committed, place, outward, point.normal);
+    const double total = dot(point.normal, traction);
+    double pressure = total;
+    // the film's pressure is the pore pressure; the rest is the law's
+    if (parts_.initial_gap.presses() && parts_.drainage.has_film()) pressure -= pore_pressure(side, c, committed.value);
     found.pulled += pressure < 0;
     const double depth = in_situ_penetration(side, c, committed, std::max(0.0, pressure));
     const bool bears = pressure > 0 && std::isfinite(depth);
     found.beyond += pressure > 0 && !bears;
     found.close(gap, bears ? pressure : 0.0);
-    const int row = first_row_[side] + c;
     parts_.initial_gap.set_offset(committed, row, gap + (bears ? depth : 0.0));
     if (!bears) continue;
     if (enforcement_.augmented()) rows_.normal_multiplier(committed, row) = pressure;
@@ -500,6 +504,14 @@ void PointContact::touch_first(std::size_t side, const State& committed, FirstTo
     point.pressure = pressure;
     if (parts_.drainage.has_film()) point.pressure += pore_pressure(side, c, committed.value);
     point.force = point.pressure * area[c] * point.normal;
+    point.shear = rows_.shear(committed, row);
+    if (laws_.friction()) {
+      const Point shear = traction - total * point.normal, &n = point.normal;
+      point.shear.shear = axes() == 2 ? Point{n[0] * shear[1] - n[1] * shear[0], 0, 0} : shear;
+      if (enforcement_.augmented()) rows_.set_shear_multiplier(committed, row, point.shear.shear);
+      point.friction = area[c] * shear;
+      point.force = point.force + point.friction;
+    }
     target_->complete(there, place, committed.coordinates, point);
     write(committed, row, there, point);
   }
@@ -513,15 +525,16 @@ double PointContact::in_situ_penetration(std::size_t side, int point, const Stat
   return penetration_under(laws_.normal(), pressure, penalty(committed, side), soil);
 }
 
-double PointContact::in_situ_pressure(std::size_t side, int point, const State& committed, const Point& at,
-                                      const Point& outward, const Point& normal) const {
+Point PointContact::start_traction(std::size_t side, int row, const State& committed, const Point& at,
+                                   const Point& outward, const Point& normal) const {
+  if (const double given = rows_.pressure(committed, row); given > 0)
+    return given * normal + (axes() == 3 ? rows_.shear(committed, row).shear : Point{});
   const SurfaceSide& here = sides()[side];
   const auto stress = context_.stress(committed, here.block, here.element, at);
-  double pressure = 0;
+  Point traction{};
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) pressure += normal[i] * stress[six(i, j)] * outward[j];
-  // the film's pressure is the pore pressure; the rest is the law's
-  return parts_.drainage.has_film() ? pressure - pore_pressure(side, point, committed.value) : pressure;
+    for (int j = 0; j < 3; ++j) traction[i] += stress[six(i, j)] * outward[j];
+  return traction;
 }
 
 void PointContact::report_parts(const State& state, double sign, Report& values) const {

@@ -175,9 +175,10 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
 
   /// Closes the initial gaps of one side's points, and sets their pressures.
   void touch_first(std::size_t side, const State& committed, FirstTouch& found) const;
-  /// Pressure [Pa] of the slave's stress at a point of a side that touches a target with this normal.
-  double in_situ_pressure(std::size_t side, int point, const State& committed, const Point& at, const Point& outward,
-                          const Point& normal) const;
+  /// Traction [Pa] with which a point of a side starts, on the slave: that which its row holds from a result in the
+  /// plane, or that which the slave's stress balances on the surface with this outward normal. `normal`: of the target.
+  Point start_traction(std::size_t side, int row, const State& committed, const Point& at, const Point& outward,
+                       const Point& normal) const;
   /// Penetration [m] at which a point has this pressure [Pa].
   double in_situ_penetration(std::size_t side, int point, const State& committed, double pressure) const;
   bool covered(std::size_t side, const State& committed) const;

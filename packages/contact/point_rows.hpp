@@ -20,6 +20,12 @@ class PointRows {
   void declare_state(StateStore& store, const std::string& prefix, const std::shared_ptr<const SurfacePoints>& at,
                      int axes, const std::vector<StateVariable>& more, bool friction, bool multipliers);
 
+  // Columns of the arrays of points and of friction, with so many axes, and components of a shear stress.
+  static constexpr int pressure_column = 1;
+  static constexpr int area_column(int axes) { return 3 + axes; }
+  static constexpr int slip_column(int shears) { return shears; }
+  static constexpr int force_column(int shears) { return shears + 3; }
+
   void write(const State& trial, int row, const ContactPoint& point) const;
 
   double gap(const State& state, int row) const { return state.arrays[points_](row, 0); }

@@ -19,8 +19,15 @@ namespace mudline {
 
 void InitialState::parameters(Parameters& p) {
   p.choice("type", kind_,
-           {{"stress free", Kind::stress_free}, {"uniform", Kind::uniform}, {"geostatic", Kind::geostatic}},
-           "how the soil starts");
+           {{"stress free", Kind::stress_free},
+            {"uniform", Kind::uniform},
+            {"geostatic", Kind::geostatic},
+            {"from result", Kind::from_result}},
+           "how the soil starts; from result: with the state in which an axisymmetric run ended a stage, turned into "
+           "space");
+  p.add("result", result_,
+        "from result: results and the stage at whose end the state is taken, 'results/pile@set-up'; relative to where "
+        "the program is started");
   const char* names[6] = {"effective stress xx", "effective stress yy", "effective stress zz",
                           "shear stress yz",     "shear stress xz",     "shear stress xy"};
   for (int i = 0; i < 6; ++i)
@@ -59,6 +66,13 @@ void InitialState::parameters(Parameters& p) {
 }
 
 void InitialState::check(const Section& section) const {
+  if (kind_ == Kind::from_result) {
+    if (result_.empty()) section.fail("'type' = 'from result' needs the results and the stage, 'results/pile@set-up'");
+    for (const std::string& name : section.parameter_names())
+      if (name != "type" && name != "result") section.fail("with 'type' = 'from result' the result gives it", name);
+    return;
+  }
+  if (!result_.empty()) section.fail("has a meaning only with 'type' = 'from result'", "result");
   if (has_k0_ && has_k0_angle_) section.fail("give either this or 'K0', not both", "K0 friction angle [deg]");
   const char* given = nullptr;  // what the overconsolidation follows from
   for (const auto& [entry, there] : {std::pair{"overconsolidation ratio", has_ocr_},
@@ -177,6 +191,7 @@ void InitialState::set_pressure(const Soil& soil, StateStore& store, const std::
 
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
   check(section);
+  if (kind_ == Kind::from_result) return;
   if (soil.excess && has_water_)
     section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
   const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);

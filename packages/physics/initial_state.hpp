@@ -13,13 +13,14 @@ namespace mudline {
 ///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p that of water at rest, a
 ///  suction above the water level; horizontal layers by mesh region and material. The weight follows the void ratio,
 ///  also where that comes from the law.
+///  "from result": that of another run; simulation's ResultStart sets it later.
 class InitialState {
  public:
   void parameters(Parameters& p);
   void apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const;
 
  private:
-  enum class Kind { stress_free, uniform, geostatic };
+  enum class Kind { stress_free, uniform, geostatic, from_result };
   void check(const Section& section) const;
   /// Sets overconsolidation ratio and stress of a geostatic point under a vertical effective stress [Pa]; returns "" or
   /// the problem.
@@ -31,6 +32,7 @@ class InitialState {
   void set_pressure(const Soil& soil, StateStore& store, const std::function<double(double height)>& at) const;
 
   Kind kind_ = Kind::stress_free;
+  std::string result_;
   double stress_[6] = {};  // xx yy zz yz xz xy, compression positive
   double pressure_ = 0;
   double surcharge_ = 0, water_level_ = 0;

@@ -31,6 +31,8 @@ const char* const free_at_start[] = {"functions", "boundary conditions"};
 
 /// Name in the checkpoint of the names and fingerprints of the files of the fields, a line each.
 const char* const field_marks = "field files";
+/// Name in the checkpoint of the file of the deck, to whose folder the deck's files are relative.
+const char* const deck_file = "deck file";
 /// Name in the checkpoint of the results so far, as lines of their table.
 const char* const results = "results";
 
@@ -231,6 +233,7 @@ void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progr
   data.scalars["field steps"] = fields.num_steps();
   data.texts[results] = progress.results.lines();
   data.texts["deck"] = origin_.deck;
+  data.texts[deck_file] = origin_.deck_file;
   data.texts[field_marks] = text_of(fields.marks());
   if (model.ale() && model.ale()->remeshing()) data.scalars["remesh tried"] = progress.remesh_tried;
   if (model.remeshed())
@@ -242,6 +245,13 @@ void Checkpoint::keep_as(const std::string& path, const Comm& comm) const {
   const std::string error =
       agreed_message(raw_communicator(comm), comm.getRank() == 0 ? link_file(path_, path) : std::string());
   if (!error.empty()) throw RunError("checkpoint '" + path + "': " + error);
+}
+
+Origin Checkpoint::origin_of(const std::string& path, const RCP<const Comm>& comm) {
+  const auto texts = CheckpointReader(comm, MeshSignature()).texts(path);
+  if (texts.count("deck") == 0 || texts.count(deck_file) == 0)
+    throw InputError(path + ": it is of an earlier version, which did not keep where its deck was");
+  return {texts.at("deck"), texts.at(deck_file), ""};
 }
 
 std::shared_ptr<const RemeshedMesh> Checkpoint::open(const Mesh& mesh) {
@@ -284,9 +294,12 @@ void Checkpoint::read(Model& model, const ExcessPressure& pressure, Progress& pr
       throw InputError(path_ + ": " + error.what());
     }
   });
-  log::info((use_ == For::restart ? "restart at t = " : path_ + ": start at t = ") +
-            std::to_string(model.store().committed().time) + " s, step " + std::to_string(progress.step) + ", stage '" +
-            model.stages()[progress.stage]->name + "'");
+  const char* const used = use_ == For::restart ? "restart" : use_ == For::start ? ": start" : ": state";
+  log::info(
+      (use_ == For::restart ? "" : path_) + used + " at t = " + std::to_string(model.store().committed().time) + " s" +
+      (use_ == For::state
+           ? ""
+           : ", step " + std::to_string(progress.step) + ", stage '" + model.stages()[progress.stage]->name + "'"));
 }
 
 void Checkpoint::refuse_or_warn(const std::string& difference) const {

@@ -19,13 +19,16 @@ namespace mudline {
 /// a run before them, so that a restart drops what they write there.
 class Checkpoint {
  public:
-  /// What goes on from it: the same run, or another one that starts at the end of one of its stages.
-  enum class For { restart, start };
+  /// What goes on from it: the same run, another one that starts at the end of one of its stages, or a model that only
+  /// takes its state.
+  enum class For { restart, start, state };
 
   /// `accept_changes`: a restart from another model is warned of, not refused.
   Checkpoint(std::string path, For use, const Origin& origin, bool accept_changes)
       : path_(std::move(path)), use_(use), origin_(origin), accept_changes_(accept_changes) {}
 
+  /// The deck of the run that wrote a checkpoint. InputError, on every rank alike, where there is none. Collective.
+  static Origin origin_of(const std::string& path, const RCP<const Comm>& comm);
   /// Whether an entry of the deck may be another one in what goes on.
   static bool may_change(For use, const std::string& path);
 

@@ -45,7 +45,14 @@ ExcessPressure::AtPlace ExcessPressure::highest() const {
   return {sum[0], {sum[1], sum[2], sum[3]}};
 }
 
-void ExcessPressure::take_start() { Kokkos::deep_copy(initial_, model_.store().committed().value); }
+void ExcessPressure::take_start() {
+  if (!kept_) Kokkos::deep_copy(initial_, model_.store().committed().value);
+}
+
+void ExcessPressure::keep_reference(const NodalView& at_present_places) {
+  take_reference(at_present_places);
+  kept_ = true;
+}
 
 NodalView ExcessPressure::reference() const {
   const NodalView result = deeper_by();

@@ -20,8 +20,10 @@ class ExcessPressure {
   };
   /// The one of the largest magnitude on all ranks; 0 without pore fluid. Collective.
   AtPlace highest() const;
-  /// Takes the committed pressures as the initial ones.
+  /// Takes the committed pressures as the initial ones, unless these are kept.
   void take_start();
+  /// Keeps the initial pressures of another result from now on; by overlap dof, at the nodes' present places [Pa].
+  void keep_reference(const NodalView& at_present_places);
   /// Pore pressures [Pa] from which the excess is counted, by overlap dof; part of the checkpoint.
   NodalView initial() const { return initial_; }
   /// The initial pressure corrected for water at rest to the nodes' present places [Pa], by overlap dof; it is what is
@@ -38,6 +40,7 @@ class ExcessPressure {
 
   const Model& model_;
   NodalView initial_, fluid_density_;
+  bool kept_ = false;
 };
 
 }  // namespace mudline

@@ -74,6 +74,7 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
     return;
   }
   if (options_.start.empty()) {
+    if (options_.reference_pressure.extent(0) > 0) pressure_->keep_reference(options_.reference_pressure);
     take_start();
   } else {
     Checkpoint start(options_.start, Checkpoint::For::start, origin_, false);

@@ -28,6 +28,8 @@ struct RunOptions {
   std::string start = {};       // checkpoint of another run to start from; "": a new start
   bool accept_changes = false;  // restart even if the model differs or earlier results are missing
   bool overwrite = false;       // replace results of another deck
+  /// Pore pressures by overlap dof from which a new start counts excess pressures; empty: those that it starts with
+  NodalView reference_pressure = {};
   int maximum_steps = 0;        // stop after so many accepted steps of this run, with a checkpoint; 0: no limit
 };
 

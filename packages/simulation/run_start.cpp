@@ -46,14 +46,19 @@ RunStart RunStart::read(const Section& section, const std::string& own_stem) {
   Parameters p(section);
   start.parameters(p);
   p.finish();
-  const std::size_t at = start.from_.rfind('@');
-  if (at == std::string::npos || at == 0 || at + 1 == start.from_.size())
-    section.fail("expected results and a stage, 'results/pile@push', given '" + start.from_ + "'", "from");
-  const std::string stem = start.from_.substr(0, at);
+  const std::string from = start.from_;
+  start = named(section, "from", from);
   std::error_code ignored;
-  if (fs::weakly_canonical(stem, ignored) == fs::weakly_canonical(own_stem, ignored))
-    section.fail("'" + stem + "' are the results of this run itself: give it another output/name", "from");
-  return RunStart::at(stem, start.from_.substr(at + 1));
+  if (fs::weakly_canonical(start.stem_, ignored) == fs::weakly_canonical(own_stem, ignored))
+    section.fail("'" + start.stem_ + "' are the results of this run itself: give it another output/name", "from");
+  return start;
+}
+
+RunStart RunStart::named(const Section& section, const std::string& entry, const std::string& from) {
+  const std::size_t at = from.rfind('@');
+  if (at == std::string::npos || at == 0 || at + 1 == from.size())
+    section.fail("expected results and a stage, 'results/pile@push', given '" + from + "'", entry);
+  return RunStart::at(from.substr(0, at), from.substr(at + 1));
 }
 
 RunStart RunStart::at(const std::string& stem, const std::string& stage) {
@@ -64,13 +69,17 @@ RunStart RunStart::at(const std::string& stem, const std::string& stage) {
   return start;
 }
 
-void RunStart::find(const Section& section) const {
+bool RunStart::exists() const {
   std::error_code ignored;
-  if (checkpoint_.empty() || fs::exists(checkpoint_, ignored)) return;
+  return fs::exists(checkpoint_, ignored);
+}
+
+void RunStart::find(const Section& section, const std::string& entry) const {
+  if (checkpoint_.empty() || exists()) return;
   const std::vector<std::string> stages = checkpointed_stages(stem_);
-  if (stages.empty()) section.fail("there are no results '" + stem_ + "' with the end of a stage", "from");
+  if (stages.empty()) section.fail("there are no results '" + stem_ + "' with the end of a stage", entry);
   section.fail("the results '" + stem_ + "' have no end of a stage '" + stage_ + "'" + suggestion(stage_, stages),
-               "from");
+               entry);
 }
 
 }  // namespace mudline

@@ -99,7 +99,7 @@ struct Layers {
   RecoveryPatches patches;
   Positions start;
   Soil soil;
-  SoilTable table{0, 0, 6, 8, 9, -1, {}};
+  SoilTable table{0, 0, 6, 8, 9};
 };
 
 /// Positions with the inner nodes moved up and down; the boundary stays.

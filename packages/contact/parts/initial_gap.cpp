@@ -15,8 +15,8 @@ void InitialGap::parameters(Parameters& p) {
            {{"as placed", Start::as_placed}, {"closed", Start::closed}, {"in-situ stress", Start::in_situ_stress}},
            "Gaps and penetrations when the contact first acts. as placed: those of the geometry; closed: points no "
            "farther than the closing distance from the body, outside or in it, count as just touching, without any "
-           "strain; in-situ stress: these points start pressed with the traction that the soil's stress has on its "
-           "surface");
+           "strain; in-situ stress: these points start with the traction that the soil's stress has on its "
+           "surface, with friction also along it");
   p.add("closing distance", distance_, "m", non_negative(),
         "Initial gap closed or in-situ stress: distance from the body up to which points are taken; 0: a tenth of the "
         "side's longest edge");
