@@ -8,6 +8,7 @@ namespace mudline {
 ResultState::ResultState(const std::string& path, const RCP<const Comm>& comm) {
   const Origin origin = Checkpoint::origin_of(path, comm);
   deck_.overlay(origin.deck, origin.deck_file);
+  deck_.take_section("variables");  // its formulas are worked out
   root_ = std::make_unique<Section>(deck_.root());
   register_all(registries_);
   load_plugins(root_->section("plugins"), registries_);

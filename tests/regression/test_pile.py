@@ -6,7 +6,7 @@ import unittest
 import h5py
 import numpy as np
 
-from mudline_case import ROOT, SharedRun
+from mudline_case import ROOT, History, SharedRun, program
 
 DECKS = [os.path.join(ROOT, "inputs", "pile", name) for name in ("clay.xml", "short_pile.xml")]
 PUSH, LATE = 0.62, 0.01  # [s]; the pile is at 1 m/s times (t - 0.01 s)
@@ -40,6 +40,20 @@ class Pile(SharedRun):
         self.assertLess(np.abs(self.history["mesh motion/change of solid"]).max(), 1e-10)
         self.assertLess(np.abs(self.history["mesh motion/change of water"]).max(), 1e-10)
         self.assertLess(np.abs(self.history["balance/water/error"]).max(), 1e-6)
+
+    def test_what_is_installed_goes_on_in_space(self):
+        """A quarter that starts with the state after the set-up is loaded as the load test loads it."""
+        folder = self.shared.folder
+        made = program(["mesh", "results/short_pile@set-up", "-o", "pile.msh"], folder=folder)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        deck = os.path.join(ROOT, "inputs", "space", "installed_pile.xml")
+        settings = {"mesh/plane/file": os.path.join(folder, "pile.msh"), "mesh/angle": 90, "mesh/layers": 3, "boundary conditions/end/components": "x",
+                    "boundary conditions/axis/components": "x y", "bodies/pile/motion/velocity x": 0.0, "bodies/pile/motion/velocity z": -0.01}
+        out = program(["run", "-q", deck, "--steps", 5] + [word for key, value in settings.items() for word in ("--set", f"{key}={value}")], folder=folder)
+        self.assertEqual(out.returncode, 0, out.stdout + out.stderr)
+        space = History(os.path.join(folder, "results", "installed_pile.csv"))
+        for time, force in zip(space.time, 4 * space["contact/pile/reaction z"]):
+            self.assert_within(0.03, force, self.history.at("contact/pile/reaction y", PUSH + SET_UP + time), f"reaction after {time} s")
 
     def test_resistance(self):
         depth = -self.history["body/pile/displacement y"][self.pushing]
