@@ -30,7 +30,7 @@ struct RunOptions {
   bool overwrite = false;       // replace results of another deck
   /// Pore pressures by overlap dof from which a new start counts excess pressures; empty: those that it starts with
   NodalView reference_pressure = {};
-  int maximum_steps = 0;        // stop after so many accepted steps of this run, with a checkpoint; 0: no limit
+  int maximum_steps = 0;  // stop after so many accepted steps of this run, with a checkpoint; 0: no limit
 };
 
 /// Makes a model of the run's deck on another mesh. InputError on every rank alike. Collective.
