@@ -37,6 +37,7 @@ struct Loaded {
   RunStart start;
   NodalView reference_pressure;  // of a result that the initial state is taken from
   std::unique_ptr<Plausibility> plausibility;
+  bool has_state = true;  // false: it goes on, and the result of its initial state is gone
   Observers observers;
 };
 
@@ -70,9 +71,9 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
   check_deck(*loaded->model, *loaded->root);
   const ResultStart from_result(*loaded->root);
-  // a branch, and a run that goes on although the result is gone, have their own state
-  const bool goes_on = restart && !from_result.exists() && has_results(*comm, loaded->output.stem());
-  if (from_result.given() && !of && !goes_on)
+  const bool goes_on = of || (restart && has_results(*comm, loaded->output.stem()));
+  if (from_result.given()) loaded->has_state = from_result.exists() || !goes_on;
+  if (from_result.given() && loaded->has_state)
     loaded->reference_pressure = from_result.apply(*loaded->model, loaded->deck);
   agree(*comm, [&] {
     loaded->start = of ? RunStart::at(of->main.output.stem(), of->branch.from())
@@ -156,7 +157,7 @@ int run(const RunCommand& command) {
   Family family(read_deck(command.deck), result_name(command.deck), command.mesh_parts, command.restart);
   catch_signals();
   describe(*family.main().model);
-  family.main().plausibility->print();
+  if (family.main().has_state) family.main().plausibility->print();
   const std::vector<std::string> told = family.main().plausibility->doubts();
   ExitCode code = run_one(family.main(), command);
   if (code != ExitCode::done) return static_cast<int>(code);
@@ -168,7 +169,7 @@ int run(const RunCommand& command) {
     }
     log::info("branch '" + branch.name() + "', from the end of stage '" + branch.from() + "'");
     for (const std::string& doubt : loaded->plausibility->doubts())
-      if (std::find(told.begin(), told.end(), doubt) == told.end()) log::warn(doubt);
+      if (loaded->has_state && std::find(told.begin(), told.end(), doubt) == told.end()) log::warn(doubt);
     const ExitCode end = run_one(*loaded, command);
     if (code == ExitCode::done) code = end;
     if (end == ExitCode::stopped) break;

@@ -7,6 +7,7 @@ import sys
 import time
 import unittest
 
+import h5py
 import numpy as np
 from meshing_child import caught, children
 from mudline_case import PROGRAM, ROOT, History, deck_text, program
@@ -32,6 +33,20 @@ class Remeshing(RestartCase):
         self.runs(*arguments)
         self.assertGreaterEqual(History(self.result("whole", ".csv"))["mesh/remeshings"][-1], 2)
         return self.content("whole")
+
+    def test_a_run_starts_from_a_remeshed_state(self):
+        """The mesh of that state is the first one of its files, which are whole."""
+        on = self.write("on.xml", deck_text("on", {"stages": {"on": {"type": "dynamic", "duration": 5e-4, "time step": {"initial": 1e-4}}}}))
+        decks = [self.decks["plane"][0], self.decks["plane"][1], on, *self.decks["plane"][2:]]
+        self.runs(*decks, *settings("output/name=first"))
+        self.runs(*decks, *settings("output/name=second", "start/from=results/first@push"))
+        for name in ("first", "second"):
+            with h5py.File(self.result(name, ".h5"), "r") as file:
+                last = file["steps"][sorted(file["steps"])[-1]]
+                self.assertEqual(file["mesh/coordinates"].shape == last["coordinates"].shape, name == "second")
+        first, second = (History(self.result(name, ".csv")) for name in ("first", "second"))
+        self.assertGreater(first["mesh/remeshings"][-1], 1)
+        np.testing.assert_array_equal(first.data[-1], second.data[-1])
 
     def begin(self, name, result):
         self.arguments = [*self.decks[name], *settings("output/name=" + result, "output/checkpoint steps=0")]

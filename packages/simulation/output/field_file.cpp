@@ -8,6 +8,7 @@
 #include "core/errors.hpp"
 #include "core/log.hpp"
 #include "core/run_error.hpp"
+#include "simulation/output/atomic_file.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/field_index.hpp"
 #include "simulation/output/field_layout.hpp"
@@ -109,6 +110,11 @@ void FieldFile::File::create(const Mesh& mesh) {
   }
   fail_alike(problem ? "cannot create the folder '" + index.folder() + "': " + problem.message() : "");
   write_mesh(mesh);
+  // a run that starts from another one's remeshed state has that mesh as its first one
+  if (number > 0) {
+    fail_alike(rank == 0 ? link_file(index.mesh_path(number), index.mesh_path(0)) : "");
+    mark(FieldIndex::mesh_name(0));
+  }
   index.model.mesh = on;
   publish();
 }
