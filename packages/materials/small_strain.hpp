@@ -50,7 +50,7 @@ class SmallStrainStiffness {
       const double factor = shortened(now, length_[i]), weight = weight_[i] * factor;
       if (derivative) {
         slack += weight;
-        if (factor < 1.0) turn(now, weight, derivative);
+        if (factor < 1.0) remove_along(now, weight, derivative);
       }
       for (int c = 0; c < 6; ++c) {
         now[c] *= factor;
@@ -73,7 +73,7 @@ class SmallStrainStiffness {
     return squared > length * length ? length / ::sqrt(squared) : 1.0;
   }
   /// Takes the part along a taut string out of the derivative.
-  KOKKOS_INLINE_FUNCTION static void turn(const double* b, double weight, double* derivative) {
+  KOKKOS_INLINE_FUNCTION static void remove_along(const double* b, double weight, double* derivative) {
     const double share = weight / sym6::norm_squared(b);
     for (int c = 0; c < 6; ++c)
       for (int d = 0; d < 6; ++d) derivative[6 * c + d] -= share * (c < 3 ? 1.0 : 2.0) * b[c] * b[d];

@@ -50,7 +50,7 @@ class Curve:
 
     def damping(self, amplitude):
         """Damping ratio of the loop between two equal amplitudes: its area over 4 pi times the energy of the secant. Closed form
-        where a = 1 and the loop ends before the tangent is g (Brinkgreve, Kappert & Bonnier 2007)."""
+        where a = 1 and the loop ends before the tangent is g."""
         if self.a == 1.0 and amplitude <= self.end:
             x = 0.385 * amplitude / self.strain
             return 4 / np.pi * (1 + 1 / x) * (1 - np.log1p(x) / x) - 2 / np.pi
@@ -62,5 +62,7 @@ class Curve:
     def cavity(self, gamma):
         """Growth of the pressure in a long cylindrical cavity in soil without drainage, strained by gamma (twice the strain of the
         wall) from rest: the integral of tau/gamma over gamma, for gamma falls with the square of the radius."""
-        grid = gamma * np.linspace(1e-9, 1, 20001) ** 2
+        if gamma == 0:
+            return 0.0
+        grid = gamma * np.linspace(0, 1, 20001)[1:] ** 2
         return np.trapz(self.first(grid) / grid, grid)
