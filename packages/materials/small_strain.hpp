@@ -28,7 +28,7 @@ class SmallStrainStiffness {
 
   void parameters(Parameters& p);
   /// Whether the law has a section of this kind; otherwise the rest is not to be called.
-  bool acts() const { return ratio_ > 1.0; }
+  KOKKOS_INLINE_FUNCTION bool acts() const { return ratio_ > 1.0; }
   /// G_0/G_ur [-].
   double ratio() const { return ratio_; }
   /// The strings, all slack and of no length at the start.
