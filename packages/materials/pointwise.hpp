@@ -70,7 +70,7 @@ class PointwiseSkeleton : public Skeleton {
                   "shear stiffness at small strain, above that of the law, and its hysteresis");
     if (!small_strain_.acts()) return;
     strings_ = state_size();
-    for (const StateVariable& variable : SmallStrainStiffness::state()) variables_.push_back(variable);
+    for (const StateVariable& variable : small_strain_.state()) variables_.push_back(variable);
   }
   void check(const Section& section) {
     if (!numbers_.empty()) return numbers_.keep(section);  // each point is checked at its start
@@ -83,7 +83,7 @@ class PointwiseSkeleton : public Skeleton {
     return numbers_.at(place, values.data());
   }
   std::string initialise(const InitialPoint& point, double* state) const override {
-    if (small_strain_.acts()) std::fill_n(state + strings_, SmallStrainStiffness::state_size, 0.0);
+    if (small_strain_.acts()) std::fill_n(state + strings_, small_strain_.state_size(), 0.0);
     if (numbers_.empty()) return law_.initialise(point, state);
     double* values = state + numbers_.members().first;
     if (const std::string reason = numbers_.at(point.position, values); !reason.empty()) return reason;

@@ -12,6 +12,8 @@ void SmallStrainStiffness::parameters(Parameters& p) {
              "gamma_0.7: shear strain of first loading at which the secant modulus is 0.722 G_0");
   p.add("curvature", curvature_, "-", closed(0.5, 1),
         "a in G/G_0 = 1/(1 + 0.385 (gamma/gamma_0.7)^a): 1 Hardin and Drnevich, 0.919 Darendeli");
+  p.add("bricks", bricks_, "-", closed(4, most),
+        "how finely the curve is followed; each adds six numbers to the state of a point");
   if (!p.documenting()) prepare();
 }
 
@@ -25,26 +27,26 @@ void SmallStrainStiffness::prepare() {
   const double whole = std::atan(std::sqrt(last));
   double error = 0.0, step = 0.0;
   for (int n = 0; n < 50; ++n) {
-    step = (whole - std::atan(std::sqrt(error))) / (bricks - 1);
+    step = (whole - std::atan(std::sqrt(error))) / (bricks_ - 1);
     error = 0.5 * step * step;
   }
-  double x[bricks], height[bricks], slope = ratio_;
-  for (int i = 0; i < bricks; ++i) {
-    const double tangent = std::tan(whole - (bricks - 1 - i) * step);
+  double x[most], height[most], slope = ratio_;
+  for (int i = 0; i < bricks_; ++i) {
+    const double tangent = std::tan(whole - (bricks_ - 1 - i) * step);
     x[i] = tangent * tangent;
     length_[i] = reference_strain_ * std::pow(x[i] / 0.385, 1.0 / a);
     height[i] = ratio_ * length_[i] * (1.0 + error) / (1.0 + x[i]);
   }
-  for (int i = 0; i < bricks; ++i) {
-    const double next = i + 1 < bricks ? (height[i + 1] - height[i]) / (length_[i + 1] - length_[i]) : 1.0;
+  for (int i = 0; i < bricks_; ++i) {
+    const double next = i + 1 < bricks_ ? (height[i + 1] - height[i]) / (length_[i + 1] - length_[i]) : 1.0;
     weight_[i] = slope - next;
     slope = next;
   }
 }
 
-std::vector<StateVariable> SmallStrainStiffness::state() {
+std::vector<StateVariable> SmallStrainStiffness::state() const {
   std::vector<StateVariable> all;
-  for (int i = 1; i <= bricks; ++i) {
+  for (int i = 1; i <= bricks_; ++i) {
     all.push_back({"small-strain string " + std::to_string(i), 6, "-"});
     all.back().hidden = true;
   }

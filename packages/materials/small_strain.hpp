@@ -24,17 +24,16 @@ namespace mudline {
 /// value that a kernel can hold.
 class SmallStrainStiffness {
  public:
-  static constexpr int bricks = 12, state_size = 6 * bricks;
-
   void parameters(Parameters& p);
   /// Whether the law has a section of this kind; otherwise the rest is not to be called.
   KOKKOS_INLINE_FUNCTION bool acts() const { return ratio_ > 1.0; }
   /// G_0/G_ur [-].
   double ratio() const { return ratio_; }
-  /// The strings, all slack and of no length at the start.
-  static std::vector<StateVariable> state();
+  /// The strings; zero at the start.
+  std::vector<StateVariable> state() const;
+  int state_size() const { return 6 * bricks_; }
 
-  /// Strain increment (6) that the law gets for `strain` (6), engineering shear; fills `now` from `old` (state_size),
+  /// Strain increment (6) that the law gets for `strain` (6), engineering shear; fills `now` from `old` (state_size()),
   /// and unless it is null `derivative` (36): d law_strain_i / d strain_j, row-major.
   KOKKOS_INLINE_FUNCTION void amplify(const double* strain, const double* old, double* now, double* law_strain,
                                       double* derivative) const {
@@ -43,7 +42,7 @@ class SmallStrainStiffness {
     for (int c = 0; c < 6; ++c) e[c] = c < 3 ? strain[c] - mean : 0.5 * strain[c];
     if (derivative)
       for (int c = 0; c < 36; ++c) derivative[c] = c % 7 == 0 ? 1.0 : 0.0;
-    for (int i = 0; i < bricks; ++i, old += 6, now += 6) {
+    for (int i = 0; i < bricks_; ++i, old += 6, now += 6) {
       // a string that came out too long in a transfer is shortened without effect on the stress
       const double before = shortened(old, length_[i]);
       for (int c = 0; c < 6; ++c) now[c] = before * old[c] + e[c];
@@ -65,6 +64,7 @@ class SmallStrainStiffness {
   }
 
  private:
+  static constexpr int most = 40;
   /// Sets lengths and weights. See small_strain.cpp.
   void prepare();
   /// Factor that brings a string to its length, 1 where it is slack.
@@ -82,8 +82,9 @@ class SmallStrainStiffness {
   double ratio_ = 1.0;             // [-] G_0/G_ur
   double reference_strain_ = 0.0;  // [-] gamma_0.7
   double curvature_ = 1.0;         // [-] a
-  double length_[bricks] = {};     // [-] r
-  double weight_[bricks] = {};     // [-] w
+  int bricks_ = 12;
+  double length_[most] = {};  // [-] r
+  double weight_[most] = {};  // [-] w
 };
 
 }  // namespace mudline

@@ -25,8 +25,9 @@ Section deck(Teuchos::ParameterList& list) {
   return Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), "");
 }
 
-SmallStrainStiffness stiffness(double curvature = 1.0) {
+SmallStrainStiffness stiffness(double curvature = 1.0, int bricks = 12) {
   Teuchos::ParameterList list = section(curvature);
+  list.set("bricks", bricks);
   Parameters p(deck(list));
   SmallStrainStiffness made;
   made.parameters(p);
@@ -67,7 +68,7 @@ struct Point {
   void shear(double strain, int parts = 1) { move({0, 0, 0, 0, 0, strain}, parts); }
 
   const SmallStrainStiffness& stiffness;
-  std::vector<double> strings = std::vector<double>(SmallStrainStiffness::state_size);
+  std::vector<double> strings = std::vector<double>(stiffness.state_size());
   double sum[6] = {};
 };
 
@@ -98,6 +99,23 @@ TEST(SmallStrain, FollowsTheCurveOfFirstLoading) {
     far.shear(1e-3);
     EXPECT_NEAR(far.sum[5] - before, 1e-3, 1e-15);
   }
+}
+
+/// The largest error of the secant modulus falls with the square of the number of bricks.
+TEST(SmallStrain, ConvergesWithTheBricks) {
+  std::vector<double> worst;
+  for (const int bricks : {10, 20, 40}) {
+    const SmallStrainStiffness made = stiffness(1.0, bricks);
+    worst.push_back(0);
+    for (double strain = 1e-6; strain < 1e-2; strain *= 1.01) {
+      Point there(made);
+      there.shear(strain);
+      worst.back() = std::max(worst.back(), std::abs(there.sum[5] / first_loading(strain) - 1));
+    }
+  }
+  EXPECT_NEAR(worst[0] / worst[1], 4.0, 0.4);
+  EXPECT_NEAR(worst[1] / worst[2], 4.0, 0.4);
+  EXPECT_LT(worst[2], 2.5e-4);
 }
 
 TEST(SmallStrain, DoesNotDependOnTheStepsOfAStraightPath) {
@@ -214,7 +232,7 @@ TEST(SmallStrain, TheLawGetsTheAmplifiedStrain) {
   PointDriver a(*stiff, {-1e5, -1e5, -1e5, 0, 0, 0}, 1.0, 1.5), b(*plain, {-1e5, -1e5, -1e5, 0, 0, 0}, 1.0, 1.5);
   const SmallStrainStiffness made = stiffness();
   Point strings(made);
-  EXPECT_EQ(stiff->state_size(), plain->state_size() + SmallStrainStiffness::state_size);
+  EXPECT_EQ(stiff->state_size(), plain->state_size() + made.state_size());
   const double shear = plain->moduli(a.stress().data(), 1.0, b.state().data()).shear;
   EXPECT_DOUBLE_EQ(stiff->moduli(a.stress().data(), 1.0, a.state().data()).shear, ratio * shear);
   for (int n = 0; n < 40; ++n) {

@@ -1,6 +1,8 @@
-"""Small-strain stiffness over several laws against closed forms (references/small_strain.py), in `mudline point` and around a cavity.
+"""Small-strain stiffness over several laws against closed forms (references/small_strain.py), in `mudline point` and
+around a cavity.
 
-Twelve bricks make a polygon of the curve: with a ratio of 5 its secant is allowed to be 0.35 % off, its loops 5 % in their area."""
+Bricks make a polygon of the curve: with a ratio of 5 the secant of twelve is allowed to be 0.35 % off, the area of their
+loops 5 %; that of forty 0.03 and 1 %."""
 import os
 import unittest
 
@@ -11,7 +13,8 @@ from references.small_strain import Curve
 
 RATIO, STRAIN = 5.0, 1e-4
 SMALL = {"ratio": RATIO, "reference strain": STRAIN}
-SECANT, LOOP = 3.5e-3, 0.05
+BRICKS = {12: (3.5e-3, 0.05), 40: (3e-4, 0.01)}  # errors of the secant modulus and of the damping ratio
+SECANT = BRICKS[12][0]
 START = {"mean effective stress": 1e5}
 E, NU = 2.6e7, 0.3
 G = E / 2 / (1 + NU)
@@ -71,7 +74,8 @@ class SmallStrain(MudlineCase):
             self.close(f"{name}, secant", (tau / curve.first(gamma))[elastic], 1.0, SECANT)
             if strength:
                 self.close(f"{name}, strength", tau[-1] / strength, 1.0, 2e-3)
-        darendeli = self.point(law("tresca", dict(SMALL, curvature=0.919)), {"shear": path(90, shear_strain_xy="1e-6*(exp(8.0*t)-1)")})["shear"]
+        test = path(90, shear_strain_xy="1e-6*(exp(8.0*t)-1)")
+        darendeli = self.point(law("tresca", dict(SMALL, curvature=0.919)), {"shear": test})["shear"]
         gamma, tau = darendeli["shear strain xy"][1:], darendeli["shear stress xy"][1:]
         curve = Curve(RATIO * G, G, STRAIN, 0.919)
         self.close("Darendeli, secant", tau / curve.first(gamma), 1.0, SECANT)
@@ -94,21 +98,22 @@ class SmallStrain(MudlineCase):
 
     def test_loops(self):
         """Closed loops that follow Masing, and their damping ratio."""
-        for name in ("linear elastic", "modified cam clay"):
-            shear = LAWS[name][0]
+        for name, bricks in (("linear elastic", 12), ("modified cam clay", 12), ("tresca", 40)):
+            shear, (secant, loop) = LAWS[name][0], BRICKS[bricks]
             curve = Curve(RATIO * shear, shear, STRAIN)
             tests = {f"loop {a:g}": path(1000, 2.5, shear_strain_xy=f"{a * STRAIN:g}*{TRIANGLE}") for a in LOOPS}
             for test in tests.values():
                 test["initial state"]["overconsolidation ratio"] = 6.0
-            for a, history in zip(LOOPS, self.point(law(name), tests).values()):
+            for a, history in zip(LOOPS, self.point(law(name, dict(SMALL, bricks=bricks)), tests).values()):
                 gamma, tau = history["shear strain xy"], history["shear stress xy"]
                 size, what = curve.first(a * STRAIN), f"{name}, {a:g}"
-                self.close(f"{what}: branches", tau, curve.history(gamma), 2 * SECANT * size)
+                # the error of the reversal, and twice that of the way from it
+                self.close(f"{what}: branches", tau, curve.history(gamma), 3 * secant * size)
                 # periods end at t = 0.25 + n: rows 100, 500, 900
                 self.close(f"{what}: closed", tau[900], tau[500], 1e-9 * size)
                 area = np.trapz(tau[500:901], gamma[500:901])
                 damping = area / (2 * np.pi * a * STRAIN * tau[500])
-                self.close(f"{what}: damping {damping:.4f}", damping / curve.damping(a * STRAIN), 1.0, LOOP)
+                self.close(f"{what}: damping {damping:.4f}", damping / curve.damping(a * STRAIN), 1.0, loop)
 
     def test_inner_loop(self):
         """A small loop within a large one leaves no trace."""
@@ -119,8 +124,8 @@ class SmallStrain(MudlineCase):
         self.close("nested loops", history["shear stress xy"], exact, 2 * SECANT * exact.max())
 
     def test_undrained_triaxial(self):
-        """Undrained compression of lightly overconsolidated Cam Clay: stress path and strength are those of the law alone, and at the
-        same stress the axial strain is less by that of the strings, all of them taut."""
+        """Undrained compression of lightly overconsolidated Cam Clay: stress path and strength are those of the law
+        alone, and at the same stress the axial strain is less by that of the strings, all of them taut."""
         start = dict(START, **{"overconsolidation ratio": 1.2})
         test = {"type": "triaxial undrained", "axial strain": [0.02, 0.2], "steps": 500, "initial state": start}
         plain = self.point(law("modified cam clay", None), {"CU": test})["CU"]
@@ -135,15 +140,17 @@ class SmallStrain(MudlineCase):
         self.close("strings", lag / strings, 1.0, 0.02)
 
     def test_cavity(self):
-        """A pressuremeter in clay without drainage: expansion by 0.1 % and back, with G_0, with strings and with G_ur; a restart
-        gives the same bits."""
+        """A pressuremeter in clay without drainage: expansion by 0.1 % and back, with G_0, with strings and with G_ur;
+        a restart gives the same bits."""
         law_text = "materials/soil/skeleton/"
         deck = os.path.join(ROOT, "inputs", "cavity_expansion", "cylinder.xml")
         end, strain = 1e-3, 4e-4
-        settings = ["mesh/cells={24, 1}", "stages/expansion/duration=2", f"boundary conditions/cavity/x={end}*min(t,2-t)",
+        settings = ["mesh/cells={24, 1}", "stages/expansion/duration=2",
+                    f"boundary conditions/cavity/x={end}*min(t,2-t)",
                     "stages/expansion/time step/initial=0.05", "stages/expansion/time step/maximum=0.05",
                     law_text + "rigidity index=100"]
-        small = [law_text + f"small-strain stiffness/ratio={RATIO}", law_text + f"small-strain stiffness/reference strain={strain}"]
+        small = [law_text + f"small-strain stiffness/ratio={RATIO}",
+                 law_text + f"small-strain stiffness/reference strain={strain}"]
         history = self.run_deck(deck, settings + small)
         curve = Curve(RATIO * 2e6, 2e6, strain)
         wall = end * np.minimum(history.time, 2 - history.time)
@@ -158,7 +165,8 @@ class SmallStrain(MudlineCase):
         self.close("cavity, first modulus over that of the law", first, up[0] / gamma[0] / 2e6, 0.02)
         reached = []
         for ratio in (1.0, RATIO):  # the law alone with G_ur, and with G_0
-            only = self.run_deck(deck, settings + ["stages/expansion/duration=1", law_text + f"undrained strength={20e3 * ratio}"])
+            stronger = law_text + f"undrained strength={20e3 * ratio}"
+            only = self.run_deck(deck, settings + ["stages/expansion/duration=1", stronger])
             reached.append(only["reaction/cavity x"][-1] / (2 * np.pi * (1 + end)) - 100e3)
             self.close(f"cavity, {ratio:g} G_ur", reached[-1] / (2e6 * ratio * gamma[top]), 1.0, 0.002)
         self.assertTrue(1.5 * reached[0] < pressure[top] < 0.7 * reached[1])

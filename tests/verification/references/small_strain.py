@@ -1,5 +1,6 @@
-"""Closed forms of the shear stress at small strain: first loading by Hardin and Drnevich, with the reference strain of Santos and
-Correia and an exponent as Darendeli's, until the tangent has fallen to the shear modulus of the law; reversals by Masing's rule.
+"""Closed forms of the shear stress at small strain: first loading by Hardin and Drnevich, with the reference strain of
+Santos and Correia and an exponent as Darendeli's, until the tangent has fallen to the shear modulus of the law;
+reversals by Masing's rule.
 
 No bricks here: a history is a list of reversals. Strain is engineering shear."""
 import numpy as np
@@ -27,7 +28,7 @@ class Curve:
         return np.where(gamma < self.end, self.G0 * (1 + (1 - self.a) * y) / (1 + y) ** 2, self.g)
 
     def history(self, gamma):
-        """Shear stress along a path of strain that starts at zero: Masing, an inner loop is forgotten when it closes."""
+        """Shear stress along a path of strain from zero: Masing; an inner loop is forgotten when it closes."""
         turns, stress, last, sign = [], [0.0], 0.0, 0
         for now in gamma[1:]:
             way = np.sign(now - last)
@@ -49,8 +50,8 @@ class Curve:
         return np.array(stress)
 
     def damping(self, amplitude):
-        """Damping ratio of the loop between two equal amplitudes: its area over 4 pi times the energy of the secant. Closed form
-        where a = 1 and the loop ends before the tangent is g."""
+        """Damping ratio of the loop between two equal amplitudes: its area over 4 pi times the energy of the secant.
+        Closed form where a = 1 and the loop ends before the tangent is g."""
         if self.a == 1.0 and amplitude <= self.end:
             x = 0.385 * amplitude / self.strain
             return 4 / np.pi * (1 + 1 / x) * (1 - np.log1p(x) / x) - 2 / np.pi
@@ -60,8 +61,9 @@ class Curve:
         return 8 * (area - secant) / (4 * np.pi * secant)
 
     def cavity(self, gamma):
-        """Growth of the pressure in a long cylindrical cavity in soil without drainage, strained by gamma (twice the strain of the
-        wall) from rest: the integral of tau/gamma over gamma, for gamma falls with the square of the radius."""
+        """Growth of the pressure in a long cylindrical cavity in soil without drainage, strained by gamma (twice the
+        strain of the wall) from rest: the integral of tau/gamma over gamma, for gamma falls with the square of the
+        radius."""
         if gamma == 0:
             return 0.0
         grid = gamma * np.linspace(0, 1, 20001)[1:] ** 2
