@@ -172,6 +172,14 @@ class SmallStrain(MudlineCase):
         self.assertTrue(1.5 * reached[0] < pressure[top] < 0.7 * reached[1])
         self.restarted(deck, settings + small)
 
+    def test_strip(self):
+        """A strip footing on clay: stiffer at first, the same limit load."""
+        deck = os.path.join(ROOT, "inputs", "bearing_capacity", "strip_tresca.xml")
+        small = ["materials/soil/skeleton/small-strain stiffness/" + entry for entry in ("ratio=5", "reference strain=1e-6")]
+        alone, stiff = (self.run_deck(deck, settings)["reaction/footing y"] for settings in ([], small))
+        self.assertTrue(2 * alone[0] > stiff[0] > 5 * alone[0], "first step")  # upwards is positive
+        self.close("limit load", stiff[-1] / alone[-1], 1.0, 2e-3)
+
     def restarted(self, deck, settings):
         """The last row of a run that was interrupted in the middle is that of the whole one, bit for bit."""
         words = [word for setting in settings for word in ("--set", setting)]
