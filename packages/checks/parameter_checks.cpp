@@ -8,7 +8,7 @@ namespace {
 struct ParameterCheck {
   Usual quantity;
   const char* collection;  // "materials" or "physics"
-  const char* section;     // sublist of its entries; "": the entry itself
+  const char* section;     // sublist of its entries, or of one of these behind a slash; "": the entry itself
   const char* parameter;
   bool zero_is_usual;  // for example no cohesion
   const char* advice;
@@ -123,6 +123,18 @@ const ParameterCheck table[] = {
      "ductility",
      false,
      "give a strain: 10 is 1000 per cent"},
+    {{"small-strain ratio", "-", {1.2, 20}, "shear modulus at very small strain over that of the law"},
+     "materials",
+     "skeleton/small-strain stiffness",
+     "ratio",
+     false,
+     "give G_0/G_ur: 2 to 10 as a rule"},
+    {{"small-strain reference", "-", {1e-5, 2e-3}, "shear strain at which the secant modulus is 0.722 G_0"},
+     "materials",
+     "skeleton/small-strain stiffness",
+     "reference strain",
+     false,
+     "give a strain, as 1e-4 (0.01 may be per cent)"},
     {{"heat conductivity", "W/(m K)", {0.2, 10}, "of saturated soil"},
      "materials",
      "heat",
@@ -203,10 +215,17 @@ const ParameterCheck table[] = {
      "it is no ratio of damping: 2 xi omega"},
 };
 
+Section sublist(const Section& entry, const std::string& path) {
+  if (path.empty()) return entry;
+  const std::size_t slash = path.find('/');
+  const Section first = entry.section(path.substr(0, slash));
+  return slash == std::string::npos ? first : first.section(path.substr(slash + 1));
+}
+
 void look(const ParameterCheck& check, const Setup& setup, const Judge& judge) {
   const bool of_materials = std::string(check.collection) == "materials";
   for (const Section& entry : of_materials ? setup.materials() : setup.physics()) {
-    const Section section = *check.section ? entry.section(check.section) : entry;
+    const Section section = sublist(entry, check.section);
     const Span span = setup.given(section, check.parameter);
     if (!span.known()) continue;
     for (double value : span.ends())

@@ -34,6 +34,8 @@ const std::map<std::string, std::vector<std::string>>& other_names() {
       {"e0", {"void ratio"}},
       {"elasticity", {"linear elastic", "neo-hookean"}},
       {"encastre", {"fixed"}},
+      {"g0", {"small-strain stiffness"}},
+      {"gamma_0.7", {"small-strain stiffness"}},
       {"groundwater", {"water level"}},
       {"groundwater level", {"water level"}},
       {"infinite elements", {"absorbing"}},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <type_traits>
 
@@ -7,6 +8,7 @@
 #include "core/errors.hpp"
 #include "materials/numbers_of_place.hpp"
 #include "materials/skeleton.hpp"
+#include "materials/small_strain.hpp"
 
 namespace mudline {
 
@@ -40,13 +42,15 @@ struct SkeletonResponse {
 ///     void prepare();                                      computes constants from the parameters
 ///     void reduce_strength(double factor);                 divides strengths, before prepare(): Strengths::reducible
 ///     static constexpr bool no_strength = true;            Strengths::none
+///     static constexpr bool small_strain = true;           takes a section "small-strain stiffness"
 ///     double k0(double ocr) const;
 ///     double void_ratio(const InitialPoint&) const;
 ///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
 ///     EarthPressures earth_pressures(double vertical, double height) const;
 /// If the operator returns false, the point has failed; the step is then cut.
 /// Each number (double) among the parameters may be a function of the place in the deck. Then every member is called
-/// with the numbers of its point, after check() and prepare() with them; the law knows nothing of it.
+/// with the numbers of its point, after check() and prepare() with them; the law knows nothing of it. Nor does it of
+/// small-strain stiffness, which stands between it and its strain.
 // clang-format on
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -60,6 +64,13 @@ class PointwiseSkeleton : public Skeleton {
     law_.parameters(p);
     p.let_vary(nullptr);
     numbers_.settle(&law_, sizeof law_, variables_);
+    if constexpr (detail_has_small_strain<Law>::value)
+      if (p.documenting() || p.deck().has_section("small-strain stiffness"))
+        p.section("small-strain stiffness", small_strain_,
+                  "shear stiffness at small strain, above that of the law, and its hysteresis");
+    if (!small_strain_.acts()) return;
+    strings_ = state_size();
+    for (const StateVariable& variable : small_strain_.state()) variables_.push_back(variable);
   }
   void check(const Section& section) {
     if (!numbers_.empty()) return numbers_.keep(section);  // each point is checked at its start
@@ -72,6 +83,7 @@ class PointwiseSkeleton : public Skeleton {
     return numbers_.at(place, values.data());
   }
   std::string initialise(const InitialPoint& point, double* state) const override {
+    if (small_strain_.acts()) std::fill_n(state + strings_, small_strain_.state_size(), 0.0);
     if (numbers_.empty()) return law_.initialise(point, state);
     double* values = state + numbers_.members().first;
     if (const std::string reason = numbers_.at(point.position, values); !reason.empty()) return reason;
@@ -84,7 +96,9 @@ class PointwiseSkeleton : public Skeleton {
     return own.initialise(point, state);
   }
   ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const override {
-    return law_of(state).moduli(stress, void_ratio, state);
+    ElasticModuli found = law_of(state).moduli(stress, void_ratio, state);
+    found.shear *= small_strain_.ratio();
+    return found;
   }
   bool volume_apart() const override {
     if constexpr (detail_has_volume_apart<Law>::value)
@@ -126,6 +140,8 @@ class PointwiseSkeleton : public Skeleton {
     const NumbersOfPlace::Members numbers = numbers_.members();
     const double factor = w.strength_factor;
     const Law law = numbers.none() && factor != 1.0 ? with_strength_over(factor, law_) : law_;
+    const SmallStrainStiffness small_strain = small_strain_;
+    const int strings = strings_;
     int failures = 0;
     CaughtInKernel thrown, *caught = &thrown;
     Kokkos::parallel_reduce(
@@ -143,10 +159,15 @@ class PointwiseSkeleton : public Skeleton {
           const double* state_old = w.state_old.data() + i * w.state_old.extent(1);
           double* state = w.state.data() + i * w.state.extent(1);
           numbers.keep(state_old, state);
+          double by_strain[36];  // derivative of the law's strain
+          if (small_strain.acts())
+            small_strain.amplify(&w.strain(i, 0), state_old + strings, state + strings, in.strain,
+                                 w.want_tangent ? by_strain : nullptr);
           const bool ok = CaughtInKernel::run(caught, [&] {
             return numbers.none() ? law(in, state_old, state, out)
                                   : with_numbers(law, numbers, state_old, factor)(in, state_old, state, out);
           });
+          if (small_strain.acts() && w.want_tangent) chain_rule(by_strain, w.plane, out.tangent);
           if (!ok) {  // a failed point gets its old state, so that nothing undefined spreads
             for (int c = 0; c < 6; ++c) out.stress[c] = in.stress[c];
             for (int c = 0; c < 36; ++c) out.tangent[c] = 0.0;
@@ -170,6 +191,17 @@ class PointwiseSkeleton : public Skeleton {
   }
   static void prepare(Law& law) {
     if constexpr (detail_has_prepare<Law>::value) law.prepare();
+  }
+  /// Turns the derivative by the law's strain into that by the strain.
+  static KOKKOS_INLINE_FUNCTION void chain_rule(const double* by_strain, bool plane, double* tangent) {
+    for (int row = 0; row < 36; row += 6) {
+      double by_law[6];
+      for (int k = 0; k < 6; ++k) by_law[k] = plane && (k == 3 || k == 4) ? 0.0 : tangent[row + k];
+      for (int c = 0; c < 6; ++c) {
+        tangent[row + c] = 0.0;
+        for (int k = 0; k < 6; ++k) tangent[row + c] += by_law[k] * by_strain[6 * k + c];
+      }
+    }
   }
   /// The law with its strengths divided by a factor.
   static Law with_strength_over(double factor, Law law) {
@@ -223,6 +255,10 @@ class PointwiseSkeleton : public Skeleton {
   template <class T>
   struct detail_has_no_strength<T, std::void_t<decltype(T::no_strength)>> : std::true_type {};
   template <class T, class = void>
+  struct detail_has_small_strain : std::false_type {};
+  template <class T>
+  struct detail_has_small_strain<T, std::void_t<decltype(T::small_strain)>> : std::true_type {};
+  template <class T, class = void>
   struct detail_has_k0 : std::false_type {};
   template <class T>
   struct detail_has_k0<T, std::void_t<decltype(std::declval<const T&>().k0(1.0))>> : std::true_type {};
@@ -246,6 +282,8 @@ class PointwiseSkeleton : public Skeleton {
   Law law_{};
   std::vector<StateVariable> variables_;
   NumbersOfPlace numbers_;
+  SmallStrainStiffness small_strain_;
+  int strings_ = 0;  // column of its state
 };
 
 }  // namespace mudline

@@ -28,6 +28,7 @@ struct StateVariable {
   Transfer transfer = Transfer::value;
   double low = -1e300, high = 1e300;  // physical bounds
   bool in_fixed_axes = false;         // a component along fixed axes, which is not invariant under rotation
+  bool hidden = false;                // not written to output
 };
 
 /// Point data: one row per quadrature point. Rows are contiguous on the host.

@@ -93,7 +93,7 @@ std::vector<OutputField> point_means(const Model& model, const std::set<int>& wi
     if (shown(store.info(handle), ArrayInfo::On::points) && without.count(handle) == 0)
       for (const PointVariables& of : variables_of(model, handle))
         for (const StateVariable& v : of.variables)
-          fields.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
+          if (!v.hidden) fields.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
   const auto& blocks = model.mesh().blocks();
   for (std::size_t block = 0; block < blocks.size(); ++block)
     for (auto& [name, field] : fields) {

@@ -66,6 +66,21 @@ CONE = [("type", "string", "mohr-coulomb"), *ELASTIC[1:], ("cohesion", "double",
 LAWS_OF_STRENGTH = "mohr-coulomb, drucker-prager, tresca, von mises"
 
 
+STRINGS = section("small-strain stiffness")
+
+
+def with_strings(name, entries, message, at, law=(), **where):
+    """The deck with small-strain stiffness of the clay, or of another law."""
+    skeleton = section("skeleton") + "\n" + "".join(parameter(*entry) + "\n" for entry in law) if law else \
+        SKELETON[:SKELETON.rindex("</ParameterList>")]
+    small = STRINGS + "\n" + "".join(parameter(*entry) + "\n" for entry in entries) + "</ParameterList>\n"
+    return Wrong(name, (SKELETON, skeleton + small + "</ParameterList>\n"), message, at=at, **where)
+
+
+LAW = "materials/clay/skeleton/"
+RATIO, STRAIN = ("ratio", "double", "5"), ("reference strain", "double", "1e-4")
+
+
 def around_body(name, body, message, at, more="", **where):
     """The deck with a mesh around a body in place of the box."""
     mesh = "".join(parameter(*entry) + "\n" for entry in (
@@ -92,6 +107,17 @@ def filter_of(body, position="0.01", more=""):
 
 
 DECKS = [
+    with_strings("small-strain ratio", [("ratio", "double", "0.5"), STRAIN],
+                 LAW + "small-strain stiffness/ratio: 0.5 is out of range; allowed: (1, 100)", at='name="ratio"'),
+    with_strings("no reference strain", [RATIO], LAW + "small-strain stiffness: required parameter 'reference strain' is missing", at=STRINGS),
+    with_strings("reference strain", [RATIO, ("reference strain", "double", "0")],
+                 LAW + "small-strain stiffness/reference strain: 0 is out of range; allowed: (0, 0.1)", at='name="reference strain"'),
+    with_strings("strings of a law without", [RATIO, STRAIN], LAW + "small-strain stiffness: unknown section; none is allowed here", at=STRINGS,
+                 law=[("type", "string", "neo-hookean"), *ELASTIC[1:]]),
+    with_strings("strings with creep", [RATIO, STRAIN],
+                 LAW + "small-strain stiffness: contradictory with a 'creep slope', whose strain it would make smaller; remove one of them",
+                 at=STRINGS, law=[("type", "string", "s-clay1s"), ("critical stress ratio", "double", "1"), ("compression slope", "double", "0.2"),
+                                  ("swelling slope", "double", "0.04"), ("Poisson's ratio", "double", "0.3"), ("creep slope", "double", "0.005")]),
     # a film of water
     with_film("film with multipliers", parameter("enforcement", "string", "augmented Lagrangian"),
               "contacts/ball on clay/enforcement: a film has no multipliers; allowed with it: penalty", ranks=BOTH),

@@ -201,6 +201,8 @@ MISTAKES = [
     ("block", {LAW + "rate law": "power", LAW + "reference strain rate": 1e-10}, "reference strain rate"),
     ("block", {LAW + "sensitivity": 300.0}, "sensitivity"),
     ("block", {LAW + "sensitivity": 3.0, LAW + "ductility": 0.1}, "ductility"),
+    ("block", {LAW + "small-strain stiffness": {"ratio": 5.0, "reference strain": 0.015}}, "small-strain reference"),
+    ("block", {LAW + "small-strain stiffness": {"ratio": 50.0, "reference strain": 1e-4}}, "small-strain ratio"),
     ("clay", {LAW + "critical stress ratio": 0.4, START + "K0": 0.8}, "critical stress ratio"),
     ("clay", {LAW + "critical stress ratio": 2.5}, "critical stress ratio"),
     ("clay", {LAW + "minimum mean stress": 4e4, START + "surcharge": 1e5}, "minimum mean stress"),

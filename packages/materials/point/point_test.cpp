@@ -154,6 +154,10 @@ std::vector<PointValue> PointTest::values(const PointControl& control) const {
   if (total >= 0) row.push_back({"excess pore pressure", "Pa", s[total] - initial_.stress[total]});
   int slot = 0;
   for (const StateVariable& variable : point.law().state_variables()) {
+    if (variable.hidden) {
+      slot += variable.components;
+      continue;
+    }
     for (int c = 0; c < variable.components; ++c) {
       std::string name = variable.name;
       if (variable.components > 1)

@@ -20,6 +20,7 @@ namespace mudline {
 /// Mohr-Coulomb (frictional_model.hpp), at most sqrt(3) k/(1 + eta/sqrt(3)), the uniaxial tensile strength of the cone.
 /// Code: tension positive, [Pa].
 struct DruckerPrager : ConeTip {
+  static constexpr bool small_strain = true;
   enum class Match { compression, extension, plane_strain, direct };
   enum { plastic_shear_strain, state_size };
 

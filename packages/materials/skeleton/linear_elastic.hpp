@@ -8,7 +8,7 @@ namespace mudline {
 /// Isotropic linear elasticity in rate form: sigma' = sigma'_old + K tr(deps) 1 + 2 G dev(deps), tension positive, so
 /// that a given initial stress is kept. K = E/(3(1-2nu)), G = E/(2(1+nu)). No state.
 struct LinearElastic {
-  static constexpr bool volume_apart = true, no_strength = true;
+  static constexpr bool volume_apart = true, no_strength = true, small_strain = true;
   double young = 1.0e7;  // [Pa] drained
   double poisson = 0.3;  // [-] drained
 

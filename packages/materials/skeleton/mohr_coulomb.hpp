@@ -22,6 +22,7 @@ namespace mudline {
 ///     E = E_ref ((c cos(phi) + p' sin(phi)) / (c cos(phi) + p_ref sin(phi)))^n,  p' >= 0 of the start of the increment
 /// An initial stress outside the surface is returned to it at fixed strain when the law is first evaluated.
 struct MohrCoulomb : ConeTip {
+  static constexpr bool small_strain = true;
   enum { cohesion_here, plastic_shear_strain, state_size };
 
   ElasticConstants elasticity;

@@ -67,6 +67,9 @@ void SClay1s::check(const Section& section) const {
     section.fail("with a fabric the critical state line is no fixed distance away; give 'normal compression volume'",
                  "critical state volume");
   if (creep_slope > 0.0) {
+    if (section.has_section("small-strain stiffness"))
+      section.fail("contradictory with a 'creep slope', whose strain it would make smaller; remove one of them",
+                   "small-strain stiffness");
     for (const char* name : {"integration", "yield tolerance"})
       if (section.has_parameter(name))
         section.fail("plays no role with a 'creep slope', for there is no yield surface; remove it", name);

@@ -19,7 +19,7 @@ namespace mudline {
 /// fixed strain. The law serves for effective stress in a u-p analysis as well as for total stress. Code: tension
 /// positive, [Pa].
 struct Tresca {
-  static constexpr bool volume_apart = true;
+  static constexpr bool volume_apart = true, small_strain = true;
   enum class Rate { none, logarithmic, power };
   enum { strength_here, plastic_shear_strain, state_size };
 

@@ -13,7 +13,7 @@ namespace mudline {
 /// k is the equivalent plastic strain, dk = sqrt(2/3 de_p:de_p). With sigma_y = 2 s_u (triaxial) or sqrt(3) s_u (plane
 /// strain) it is undrained clay without corners. Code: tension positive, [Pa].
 struct VonMises {
-  static constexpr bool volume_apart = true;
+  static constexpr bool volume_apart = true, small_strain = true;
   enum { equivalent_plastic_strain, state_size };
 
   ElasticConstants elasticity;

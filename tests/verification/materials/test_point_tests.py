@@ -65,7 +65,8 @@ class PointTests(MudlineCase):
     def test_finite_elements_turn_alike(self):
         """The same steps of simple shear in a finite element and in a point: the same stresses and void ratio."""
         start = {"effective stress xx": 6e4, "effective stress yy": 1e5, "effective stress zz": 6e4}
-        for name, skeleton, gamma, steps in (("elastic", ELASTIC, 4.0, 80), ("clay", CLAY, 0.5, 160)):
+        stiff = dict(ELASTIC, **{"small-strain stiffness": {"ratio": 5.0, "reference strain": 0.05}})
+        for name, skeleton, gamma, steps in (("elastic", ELASTIC, 4.0, 80), ("clay", CLAY, 0.5, 160), ("strings", stiff, 1.0, 80)):
             test = {"type": "simple shear", "shear strain": [-gamma], "steps": steps, "initial state": start}
             point = self.point({"shear": test}, skeleton)["shear"]
             text = point_deck(skeleton, {}, 0.8)
