@@ -237,7 +237,7 @@ std::vector<Command> all_commands(CLI::App& app, const std::vector<std::string>&
                          "inputs/cpt/backbone.xml --jobs 2", words_after),
           script_command(app, "new", "write a deck from a few numbers: an anchor, a pile, a cone, ...",
                          "pile --diameter \"0.5 m\" --depth \"6 m\"", words_after),
-          script_command(app, "import", "write the mesh of an Abaqus input file as one that decks read",
+          script_command(app, "import", "write the mesh of an Abaqus or I-DEAS file as one that decks read",
                          "part.inp -o part.msh", words_after),
           {app.add_subcommand("version", "version, compiler and libraries"), [] { return cli::version(); }}};
 }
