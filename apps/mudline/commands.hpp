@@ -20,6 +20,7 @@ struct RunCommand {
   bool restart = false;
   bool accept_changes = false;
   bool overwrite = false;
+  bool dry_run = false;  // tell what the run would take, and write nothing
   int steps = 0;
 };
 

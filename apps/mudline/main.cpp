@@ -123,6 +123,11 @@ Command run_command(CLI::App& app) {
       ->excludes(restart);
   command->add_option("--steps", run->steps, "stop after so many steps, with a checkpoint")
       ->check(CLI::Range(1, 1000000000));
+  command
+      ->add_flag(
+          "--dry-run", run->dry_run,
+          "check the deck and try its first step; tell mesh, unknowns, memory, steps and time, and write nothing")
+      ->excludes("--restart", "--accept-changes", "--overwrite", "--steps");
   command->footer(
       "exit codes: 0 done, 2 input error, 3 no convergence (last state saved), 4 stopped by a signal (saved), 1 "
       "anything else\n"
