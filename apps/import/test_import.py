@@ -1,5 +1,5 @@
-"""Meshes of other programs: every kind of cell under a load that has an exact answer (Abaqus) or against the same mesh in
-another format (universal files), groups, and what is refused."""
+"""Meshes of other programs: every kind of cell under a load that has an exact answer (Abaqus) or against the same mesh
+in another format (universal files), groups, and what is refused."""
 import itertools
 import os
 import subprocess
@@ -184,7 +184,7 @@ class Universal(MudlineCase):
         x, zero, five = (f"{value:25.16E}".replace("E", "D") for value in (1.0, 0.0, 5.0))
         node = " " * 9 + "1"
         for old, new, message in (
-                (first, first.replace("85", "71"), at + "is of the kind 71, which is not read; allowed are solids"),
+                (first, first.replace("85", "71"), at + "is of the kind 71, which is not read; allowed"),
                 (first, first[:-1] + "6", at + "of the kind 85 has 6 nodes; expected 8"),
                 (one, two, f"box.unv:{line[two] + 1}: node 2 is given twice"),
                 (first, twin, ": element 2 is given twice"),
@@ -207,7 +207,8 @@ class Universal(MudlineCase):
                     self.convert("box.unv", text.replace(old, new, 1))
                 self.assertIn(message, str(caught.exception))
                 self.assertNotIn("\n", str(caught.exception))
-        with self.assertRaisesRegex(MudlineError, r"box.unv:\d+: the file is cut off: the dataset of line \d+ does not end"):
+        cut = r"box.unv:\d+: the file is cut off: the dataset of line \d+ does not end"
+        with self.assertRaisesRegex(MudlineError, cut):
             self.convert("box.unv", text[:-7])
 
 

@@ -184,16 +184,21 @@ Command split_command(CLI::App& app) {
 Command list_command(CLI::App& app) {
   struct Options {
     std::string kind, plugin;
-    bool markdown = false, xsd = false;
+    bool markdown = false, xsd = false, rng = false;
   };
   CLI::App* command = app.add_subcommand("list", "list what a deck's \"type\" may name");
   const auto list = std::make_shared<Options>();
   command->add_option("kind", list->kind, "only this kind: material, physics, boundary condition, ...");
   command->add_flag("--markdown", list->markdown, "the whole parameter reference as markdown");
-  command->add_flag("--xsd", list->xsd, "an XML schema for editors");
+  CLI::Option* xsd =
+      command->add_flag("--xsd", list->xsd, "an XML schema for editors: its names are offered, any is valid");
+  command->add_flag("--rng", list->rng, "a RELAX NG schema, by which an editor marks what the program would refuse")
+      ->excludes(xsd);
   command->add_option("--plugin", list->plugin, "load this plugin first");
   command->footer("example: mudline list \"boundary condition\"");
-  return {command, [list] { return cli::list(list->kind, list->markdown, list->xsd, list->plugin); }};
+  return {command, [list] {
+            return cli::list(list->kind, list->markdown, list->xsd ? "xsd" : list->rng ? "rng" : "", list->plugin);
+          }};
 }
 
 Command explain_command(CLI::App& app) {

@@ -48,7 +48,8 @@ class DryRun(MudlineCase):
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_a_step_that_cannot_be_solved(self):
-        dry = self.said(TERZAGHI, "--dry-run", "--set", "boundary conditions/load/y=-1e12", "--set", "mesh/cells={1, 4}")
+        load = ["--set", "boundary conditions/load/y=-1e12", "--set", "mesh/cells={1, 4}"]
+        dry = self.said(TERZAGHI, "--dry-run", *load)
         self.assertIn("; it did not converge from the state at the start: ", dry)
 
     def test_refused(self):
