@@ -69,12 +69,12 @@ def inp(dimension, size, family):
 
 
 # Numbers of elements in universal files, by dimension and nodes
-UNV_KINDS = {(1, 2): 21, (1, 3): 24, (2, 3): 91, (2, 4): 44, (2, 6): 52, (2, 8): 85, (3, 4): 111, (3, 10): 118, (3, 6): 112,
-             (3, 15): 113, (3, 8): 115, (3, 20): 116}
+UNV_KINDS = {(1, 2): 21, (1, 3): 24, (2, 3): 91, (2, 4): 44, (2, 6): 52, (2, 8): 85, (3, 4): 111, (3, 10): 118,
+             (3, 6): 112, (3, 15): 113, (3, 8): 115, (3, 20): 116}
 
 
 def around(nodes, corners, in_space):
-    """Nodes, corners first, in the order of universal files: rings of corners and middles in turn, from the bottom up."""
+    """Nodes, corners first, in the order of universal files: rings of corners and middles in turn, the lowest first."""
     if len(nodes) == corners:
         return nodes
     turn = [[a, b] for a, b in zip(nodes, nodes[corners:])]  # (in the plane)
@@ -101,7 +101,8 @@ def unv(dimension, size, factor=1.0):
     def number(x):
         return f"{factor * x:25.16E}".replace("E", "D")
 
-    lines = ["    -1", "   151", "a file", "    -1"] + ["    -1", "   164", f"{2:10d}mm{0:18d}", number(1), number(0), "    -1"]
+    lines = ["    -1", "   151", "a file", "    -1"]
+    lines += ["    -1", "   164", f"{2:10d}mm{0:18d}", number(1), number(0), "    -1"]
     lines += ["    -1", "  2411"]
     for k, place in enumerate(nodes):
         lines += integers([k + 1, 1, 1, 11], 8) + ["".join(map(number, [*place, 0.0][:3]))]
@@ -166,7 +167,8 @@ class Universal(MudlineCase):
 
     def test_program(self):
         self.write("box.unv", unv(2, 3))
-        done = subprocess.run([PROGRAM, "import", "box.unv", "-o", "soil.msh"], capture_output=True, text=True, cwd=self.folder)
+        done = subprocess.run([PROGRAM, "import", "box.unv", "-o", "soil.msh"], capture_output=True, text=True,
+                              cwd=self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(done.stdout, "soil.msh\nregion: soil\nside sets: top, base, x0, x1\nnode set: corner\n")
         done = subprocess.run([PROGRAM, "import", "box.med"], capture_output=True, text=True, cwd=self.folder)

@@ -67,7 +67,7 @@ class Schema(unittest.TestCase):
             self.assertTrue(valid, f"{os.path.relpath(path, ROOT)}: {self.schema.error_log}")
 
     def typos_of(self, tree):
-        """[(what, element, attribute)] of a deck: words that the program knows, types, and words that stand for a value."""
+        """[(what, element, attribute)] of a deck: words that the program knows, types, and values that are words."""
         found = []
         for element in tree.iter("Parameter", "ParameterList"):
             above = {one.get("name") for one in element.iterancestors()}

@@ -182,12 +182,39 @@ class Vtkhdf(MudlineCase):
         for cell, number in {"quad9": 35, "quad4": 5, "tri3": 4, "hex27": 50, "hex8": 9, "wedge15": 40, "wedge18": 41,
                              "wedge6": 8, "tet4": 6}.items():
             in_space = cell not in ("quad9", "quad4", "tri3")
-            settings = ["mesh/cell=" + cell, "mesh/cells=" + ("{1, 1, 3}" if in_space else "{1, 3}"), "output/name=" + cell,
-                        "output/field steps=1"]
+            cells = "{1, 1, 3}" if in_space else "{1, 3}"
+            settings = ["mesh/cell=" + cell, "mesh/cells=" + cells, "output/name=" + cell, "output/field steps=1"]
             if cell in ("quad4", "tri3", "hex8", "wedge6", "tet4"):
                 settings.append("physics/ground/pressure=equal order")
-            self.runs(space if in_space else plane, "--steps", "1", *(word for one in settings for word in ("--set", one)))
+            words = [word for one in settings for word in ("--set", one)]
+            self.runs(space if in_space else plane, "--steps", "1", *words)
             self.assertEqual(self.compare(cell), (2, 1, {CELLS[number][1]}))
+
+    def test_result_of_an_earlier_version(self):
+        """Its mesh has no cells for VTK: a restart goes on without the file, and says so."""
+        deck = [os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml"), "--set", "mesh/cells={1, 3}"]
+        self.runs(*deck, "--steps", "1")
+        stem = os.path.join(self.folder, "results", "terzaghi")
+        self.assertTrue(os.path.exists(stem + ".vtkhdf"))
+        with h5py.File(os.path.join(stem + ".fields", "mesh.h5"), "a") as file:
+            for name in ("connectivity", "offsets", "types"):
+                del file["mesh"][name]
+        done = program(["run", "-q", *deck, "--steps", "2", "--restart", "--accept-changes"], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: results/terzaghi.vtkhdf is left out: results/terzaghi.fields/mesh.h5 is of an earlier version",
+                      done.stderr)
+        self.assertFalse(os.path.exists(stem + ".vtkhdf"))
+        self.assertTrue(os.path.exists(stem + ".xdmf"))
+
+    def test_body_of_an_earlier_run(self):
+        """What a run leaves does not stay where another one of the same name has no such body."""
+        self.runs(os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml"), "--steps", "1", "--set", "output/name=same")
+        body = os.path.join(self.folder, "results", "same.fields", "ball.vtkhdf")
+        self.assertTrue(os.path.exists(body))
+        deck = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
+        self.runs(deck, "--overwrite", "--steps", "1", "--set", "output/name=same", "--set", "mesh/cells={1, 3}")
+        self.assertFalse(os.path.exists(body))
+        self.compare("same")
 
 
 if __name__ == "__main__":
