@@ -1,4 +1,5 @@
-"""Meshes of Abaqus input files: every kind of cell under a load that has an exact answer, groups, and what is refused."""
+"""Meshes of other programs: every kind of cell under a load that has an exact answer (Abaqus) or against the same mesh
+in another format (universal files), groups, and what is refused."""
 import itertools
 import os
 import subprocess
@@ -9,7 +10,8 @@ import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", "..", "python"), os.path.join(HERE, "..", "..", "tests", "support")]
-from mudline.abaqus import CELLS  # noqa: E402
+from mudline import MudlineError, import_mesh  # noqa: E402
+from mudline.foreign_mesh import CELLS  # noqa: E402
 from mudline_case import PROGRAM, History, MudlineCase, deck_text  # noqa: E402
 
 HIGH = 2.0  # of the box [m]; the others are 1
@@ -64,6 +66,152 @@ def inp(dimension, size, family):
                 lines.append(f"{k + 1}, S{face + 1}")
     lines += ["*Elset, elset=soil, generate", f"1, {len(elements)}, 1", "*Solid Section, elset=soil, material=clay", ",", "*Step", "*Static"]
     return "\n".join(lines) + "\n", len(elements)
+
+
+# Numbers of elements in universal files, by dimension and nodes
+UNV_KINDS = {(1, 2): 21, (1, 3): 24, (2, 3): 91, (2, 4): 44, (2, 6): 52, (2, 8): 85, (3, 4): 111, (3, 10): 118,
+             (3, 6): 112, (3, 15): 113, (3, 8): 115, (3, 20): 116}
+
+
+def around(nodes, corners, in_space):
+    """Nodes, corners first, in the order of universal files: rings of corners and middles in turn, the lowest first."""
+    if len(nodes) == corners:
+        return nodes
+    turn = [[a, b] for a, b in zip(nodes, nodes[corners:])]  # (in the plane)
+    if not in_space:
+        return sum(turn, [])
+    foot = 3 if corners in (4, 6) else 4
+    low, middles = nodes[:foot], nodes[corners:]
+    bottom = sum(([a, b] for a, b in zip(low, middles)), [])
+    if corners == 4:
+        return bottom + middles[3:] + [nodes[3]]
+    top = sum(([a, b] for a, b in zip(nodes[foot:corners], middles[foot:2 * foot])), [])
+    return bottom + middles[2 * foot:] + top
+
+
+def integers(numbers, columns):
+    return ["".join(f"{n:10d}" for n in numbers[k:k + columns]) for k in range(0, len(numbers), columns)]
+
+
+def unv(dimension, size, factor=1.0):
+    """The mesh of inp() as a universal file, with lengths `factor` times as large and the unit that says so."""
+    cell, nodes, elements = box(dimension, size)
+    up = nodes[:, -1]
+
+    def number(x):
+        return f"{factor * x:25.16E}".replace("E", "D")
+
+    lines = ["    -1", "   151", "a file", "    -1"]
+    lines += ["    -1", "   164", f"{2:10d}mm{0:18d}", number(1), number(0), "    -1"]
+    lines += ["    -1", "  2411"]
+    for k, place in enumerate(nodes):
+        lines += integers([k + 1, 1, 1, 11], 8) + ["".join(map(number, [*place, 0.0][:3]))]
+    lines += integers([999, 1, 1, 11], 8) + ["".join(map(number, (5, 5, 0)))] + ["    -1", "    -1", "  2412"]
+    top = [(k, face) for k, element in enumerate(elements) for face in range(len(cell.faces))
+           if all(up[element[place] - 1] == HIGH for place in cell.side(face))]
+    listed = [(dimension, element, cell.corners) for element in elements]
+    for k, face in top:
+        listed.append((dimension - 1, [elements[k][place] for place in cell.side(face)], len(cell.faces[face])))
+    for k, (own, members, corners) in enumerate(listed):
+        kind = UNV_KINDS[own, len(members)]
+        lines += integers([k + 1, kind, 1, 1, 7, len(members)], 8) + (integers([0, 1, 1], 8) if own == 1 else [])
+        ordered = [members[0], members[2], members[1]] if kind == 24 else around(members, corners, own == 3)
+        lines += integers(ordered, 8)
+    groups = {"soil": (8, range(1, len(elements) + 1)), "top": (8, range(len(elements) + 1, len(listed) + 1)),
+              "base": (7, np.flatnonzero(up == 0) + 1), "corner": (7, [1])}
+    for axis, name in zip(range(dimension - 1), ("x", "y")):
+        for value in (0, 1):
+            groups[f"{name}{value}"] = (7, np.flatnonzero(nodes[:, axis] == value) + 1)
+    lines += ["    -1", "    -1", "  2467"]
+    for k, (name, (kind, members)) in enumerate(groups.items()):
+        lines += integers([k + 1, 0, 0, 0, 0, 0, 0, len(members)], 8) + [name]
+        lines += integers([n for member in members for n in (kind, member, 0, 0)], 8)
+    return "\n".join(lines + ["    -1"]) + "\n"
+
+
+def parsed(path):
+    """Groups and elements of an MSH 2.2 file: {names}, {nodes}, {(kind, name, nodes)}."""
+    with open(path) as file:
+        words = [line.split() for line in file]
+    at = {line[0]: k for k, line in enumerate(words)}
+    part = {name: words[at["$" + name] + 2:at["$End" + name]] for name in ("PhysicalNames", "Nodes", "Elements")}
+    names = {tag: name.strip('"') for _, tag, name in part["PhysicalNames"]}
+    places = {number: tuple(round(float(x), 12) for x in place) for number, *place in part["Nodes"]}
+    elements = {(kind, names[tag], tuple(nodes)) for _, kind, _, tag, _, *nodes in part["Elements"]}
+    return set(names.values()), set(places.items()), elements
+
+
+class Universal(MudlineCase):
+    def convert(self, name, text, scale=1.0):
+        """Groups by kind, and what was written."""
+        target = os.path.join(self.folder, name + ".msh")
+        return import_mesh(self.write(name, text), target, scale), parsed(target)
+
+    def test_every_kind_of_cell(self):
+        """The same mesh, in other units, is written as from an Abaqus input file."""
+        millimetres = f"{1000.0:25.16E}".replace("E", "D") + "\n"
+        for dimension, size in CELLS:
+            with self.subTest(dimension=dimension, nodes=size):
+                groups, expected = self.convert("a.inp", inp(dimension, size, "CPE" if dimension == 2 else "C3D")[0])
+                text = unv(dimension, size, 1000.0).replace(millimetres, "   1.D+3\n", 1)
+                found, written = self.convert("b.unv", text)
+                self.assertEqual(written, expected)
+                self.assertEqual({kind: sorted(names) for kind, names in found.items()},
+                                 {kind: sorted(names) for kind, names in groups.items()})
+
+    def test_no_groups_and_scale(self):
+        text = unv(2, 6)
+        groups, (_, nodes, _) = self.convert("box.unv", text[:text.index("    -1\n  2467\n")], 10.0)
+        self.assertEqual(groups, {"region": ["soil"], "side set": [], "node set": []})
+        self.assertIn((10.0, 20.0, 0.0), [place for _, place in nodes])
+
+    def test_program(self):
+        self.write("box.unv", unv(2, 3))
+        done = subprocess.run([PROGRAM, "import", "box.unv", "-o", "soil.msh"], capture_output=True, text=True,
+                              cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout, "soil.msh\nregion: soil\nside sets: top, base, x0, x1\nnode set: corner\n")
+        done = subprocess.run([PROGRAM, "import", "box.med"], capture_output=True, text=True, cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (
+            2, "error: box.med: meshes of files '.med' are not imported; allowed: .inp, .unv\n"))
+
+    def test_refused(self):
+        text = unv(2, 8)
+        line = {part: number for number, part in enumerate(text.splitlines(), 1)}
+        [first] = integers([1, 85, 1, 1, 7, 8], 8)
+        [twin] = integers([2, 85, 1, 1, 7, 8], 8)
+        [one], [two] = integers([1, 1, 1, 11], 8), integers([2, 1, 1, 11], 8)
+        [soil], [cells] = integers([1, 0, 0, 0, 0, 0, 0, 2], 8), integers([8, 1, 0, 0, 8, 2, 0, 0], 8)
+        at, group = f"box.unv:{line[first]}: element 1 ", f"box.unv:{line[soil] + 1}: the group 'soil' "
+        x, zero, five = (f"{value:25.16E}".replace("E", "D") for value in (1.0, 0.0, 5.0))
+        node = " " * 9 + "1"
+        for old, new, message in (
+                (first, first.replace("85", "71"), at + "is of the kind 71, which is not read; allowed"),
+                (first, first[:-1] + "6", at + "of the kind 85 has 6 nodes; expected 8"),
+                (one, two, f"box.unv:{line[two] + 1}: node 2 is given twice"),
+                (first, twin, ": element 2 is given twice"),
+                (f"{first}\n{node}", f"{first}\n       777", at + "names node 777, which there is not"),
+                (f"{first}\n{node}", f"{first}\n         a", f"box.unv:{line[first] + 1}: 'a' is no whole number"),
+                (x + zero, " 1.0 zero", f"box.unv:{line[two] + 1}: 'zero' is no number"),
+                (x + zero, " 1.0", f"box.unv:{line[two] + 1}: node 2 has 2 coordinates; expected 3"),
+                (f"{zero}\n{two}", f"{x}\n{two}", at + "does not lie in the plane z = 0"),
+                (soil, soil.replace("2", "3"), ": group 'soil' has 16 numbers; expected 12"),
+                (cells, cells.replace("         2", "        55"), group + "names element 55, which there is not"),
+                (cells, cells.replace("8", "7", 1), group + "mixes nodes, cells and sides; make a group of each"),
+                (f"{soil}\nsoil", soil + "\n", f"box.unv:{line[soil] + 1}: a group has no name"),
+                (f"{five}{zero}\n    -1", f"{five}{zero}\n{two}\n    -1", ": the dataset ends within node 2"),
+                ("  2412\n", "  2400\n", "box.unv:1: there are no elements (dataset 2412)"),
+                ("  2411\n", "  2400\n", at + "names node 1, which there is not"),
+                ("    -1\n", "", "box.unv:1: no universal file: a dataset begins with a line '-1'")):
+            with self.subTest(new):
+                self.assertIn(old, text)
+                with self.assertRaises(MudlineError) as caught:
+                    self.convert("box.unv", text.replace(old, new, 1))
+                self.assertIn(message, str(caught.exception))
+                self.assertNotIn("\n", str(caught.exception))
+        cut = r"box.unv:\d+: the file is cut off: the dataset of line \d+ does not end"
+        with self.assertRaisesRegex(MudlineError, cut):
+            self.convert("box.unv", text[:-7])
 
 
 class Import(MudlineCase):

@@ -20,6 +20,7 @@ struct RunCommand {
   bool restart = false;
   bool accept_changes = false;
   bool overwrite = false;
+  bool dry_run = false;  // tell what the run would take, and write nothing
   int steps = 0;
 };
 
@@ -84,7 +85,7 @@ int profile(const PointCommand& command);
 /// Draws a picture with the report's script and waits for it. `kind`: its option, "--point" or "--ground". RunError.
 void draw(const std::string& kind, const std::string& png, const std::vector<std::string>& files);
 int check_point(const Deck& deck, const std::string& name);
-int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);
+int list(const std::string& kind, bool markdown, const std::string& schema, const std::string& plugin);
 int explain(const std::string& name, const std::string& plugin);
 int print_template(const std::string& name);
 /// Replaces the process by the script, which has its own options; does not return.

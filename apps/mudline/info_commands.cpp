@@ -40,7 +40,7 @@ int rank() {
   return result;
 }
 
-int list(const std::string& kind, bool markdown_wanted, bool xsd_wanted, const std::string& plugin) {
+int list(const std::string& kind, bool markdown_wanted, const std::string& schema, const std::string& plugin) {
   const std::vector<EntryDoc> docs = documentation(plugin);
   std::vector<std::string> kinds;
   for (const EntryDoc& entry : docs)
@@ -49,8 +49,8 @@ int list(const std::string& kind, bool markdown_wanted, bool xsd_wanted, const s
   if (!wanted.empty() && std::find(kinds.begin(), kinds.end(), wanted) == kinds.end())
     throw InputError("unknown kind '" + kind + "'" + suggestion(kind, kinds));
   if (rank() != 0) return 0;
-  if (xsd_wanted) {
-    std::cout << xsd(docs);
+  if (!schema.empty()) {
+    std::cout << (schema == "xsd" ? xsd(docs) : relax_ng(docs));
     return 0;
   }
   if (markdown_wanted) {

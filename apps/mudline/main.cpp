@@ -123,6 +123,11 @@ Command run_command(CLI::App& app) {
       ->excludes(restart);
   command->add_option("--steps", run->steps, "stop after so many steps, with a checkpoint")
       ->check(CLI::Range(1, 1000000000));
+  command
+      ->add_flag(
+          "--dry-run", run->dry_run,
+          "check the deck and try its first step; tell mesh, unknowns, memory, steps and time, and write nothing")
+      ->excludes("--restart", "--accept-changes", "--overwrite", "--steps");
   command->footer(
       "exit codes: 0 done, 2 input error, 3 no convergence (last state saved), 4 stopped by a signal (saved), 1 "
       "anything else\n"
@@ -189,16 +194,21 @@ Command mesh_command(CLI::App& app) {
 Command list_command(CLI::App& app) {
   struct Options {
     std::string kind, plugin;
-    bool markdown = false, xsd = false;
+    bool markdown = false, xsd = false, rng = false;
   };
   CLI::App* command = app.add_subcommand("list", "list what a deck's \"type\" may name");
   const auto list = std::make_shared<Options>();
   command->add_option("kind", list->kind, "only this kind: material, physics, boundary condition, ...");
   command->add_flag("--markdown", list->markdown, "the whole parameter reference as markdown");
-  command->add_flag("--xsd", list->xsd, "an XML schema for editors");
+  CLI::Option* xsd =
+      command->add_flag("--xsd", list->xsd, "an XML schema for editors: its names are offered, any is valid");
+  command->add_flag("--rng", list->rng, "a RELAX NG schema, by which an editor marks what the program would refuse")
+      ->excludes(xsd);
   command->add_option("--plugin", list->plugin, "load this plugin first");
   command->footer("example: mudline list \"boundary condition\"");
-  return {command, [list] { return cli::list(list->kind, list->markdown, list->xsd, list->plugin); }};
+  return {command, [list] {
+            return cli::list(list->kind, list->markdown, list->xsd ? "xsd" : list->rng ? "rng" : "", list->plugin);
+          }};
 }
 
 Command explain_command(CLI::App& app) {
@@ -248,7 +258,7 @@ std::vector<Command> all_commands(CLI::App& app, const std::vector<std::string>&
                          "inputs/cpt/backbone.xml --jobs 2", words_after),
           script_command(app, "new", "write a deck from a few numbers: an anchor, a pile, a cone, ...",
                          "pile --diameter \"0.5 m\" --depth \"6 m\"", words_after),
-          script_command(app, "import", "write the mesh of an Abaqus input file as one that decks read",
+          script_command(app, "import", "write the mesh of an Abaqus or I-DEAS file as one that decks read",
                          "part.inp -o part.msh", words_after),
           {app.add_subcommand("version", "version, compiler and libraries"), [] { return cli::version(); }}};
 }

@@ -15,13 +15,16 @@
 #include "core/foreign_library.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "simulation/branch.hpp"
+#include "simulation/old_results.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/result_start.hpp"
 #include "simulation/run.hpp"
 #include "simulation/run_start.hpp"
+#include "simulation/trial_step.hpp"
 
 namespace mudline::cli {
 
@@ -151,10 +154,55 @@ class Family {
   std::unique_ptr<Loaded> main_;
 };
 
+/// Tells what a deck describes: mesh, unknowns, physics, stages, and what the run stands on.
+void tell(const Family& family) {
+  const Loaded& loaded = family.main();
+  describe(*loaded.model);
+  loaded.plausibility->print();
+  std::string stages;
+  for (const auto& stage : loaded.model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;
+  log::info("stages: " + stages);
+  for (const Branch& branch : family.branches())
+    log::info("branch '" + branch.name() + "' goes on from the end of stage '" + branch.from() + "'");
+  if (const std::string& from = loaded.start.checkpoint(); !from.empty())
+    log::info("it starts from " + from + (std::filesystem::exists(from) ? "" : ", which is not there yet"));
+}
+
+/// `mudline run --dry-run`: what the deck's own run takes, branches aside.
+int dry_run(const Family& family) {
+  // Newton iterations of a step, by which the time is estimated: few where steps are easy, many with contact and yield
+  constexpr double fewest = 2, most = 6;
+  tell(family);
+  Loaded& loaded = family.main();
+  const Model& model = *loaded.model;
+  const double steps = expected_steps(model);
+  const std::string stem = loaded.output.stem();
+  log::info("results: " + stem + ".{vtkhdf,csv}" +
+            (has_results(*model.mesh().comm(), stem) ? "; there are results of this name already" : ""));
+  const TrialStep trial = try_first_step(*loaded.model);
+  log::info(
+      "memory: " + readable(trial.memory, "B", 3) + " after a step" +
+      (model.mesh().comm()->getSize() > 1 ? ", at most " + readable(trial.largest_memory, "B", 3) + " on a rank" : ""));
+  log::info("steps: about " + told(steps, "%.0f") + " in all stages, if none is cut");
+  if (trial.iterations == 0) {
+    log::info("time: not known" + (trial.failure.empty() ? "" : ", for no step can be begun: " + trial.failure));
+    return 0;
+  }
+  const double iteration = trial.seconds / trial.iterations;
+  log::info("first step of stage '" + trial.stage + "': " + std::to_string(trial.iterations) + " iterations, " +
+            readable(trial.seconds, "s", 3) +
+            (trial.failure.empty() ? "" : "; it did not converge from the state at the start: " + trial.failure));
+  log::info("time: about " + readable(fewest * iteration * steps, "s", 3) + " at " + told(fewest, "%.0f") +
+            " iterations a step, " + readable(most * iteration * steps, "s", 3) + " at " + told(most, "%.0f") +
+            ", and what remeshing and output take");
+  return 0;
+}
+
 }  // namespace
 
 int run(const RunCommand& command) {
   Family family(read_deck(command.deck), result_name(command.deck), command.mesh_parts, command.restart);
+  if (command.dry_run) return dry_run(family);
   catch_signals();
   describe(*family.main().model);
   if (family.main().has_state) family.main().plausibility->print();
@@ -190,16 +238,7 @@ std::unique_ptr<Family> checked(const DeckOptions& options, const std::string& m
 int check_one(const DeckOptions& options, const std::string& mesh_parts) {
   const auto family = checked(options, mesh_parts);
   if (!family) return 0;
-  const Loaded& loaded = family->main();
-  describe(*loaded.model);
-  loaded.plausibility->print();
-  std::string stages;
-  for (const auto& stage : loaded.model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;
-  log::info("stages: " + stages);
-  for (const Branch& branch : family->branches())
-    log::info("branch '" + branch.name() + "' goes on from the end of stage '" + branch.from() + "'");
-  if (const std::string& from = loaded.start.checkpoint(); !from.empty())
-    log::info("it starts from " + from + (std::filesystem::exists(from) ? "" : ", which is not there yet"));
+  tell(*family);
   log::info("the deck is valid");
   return 0;
 }

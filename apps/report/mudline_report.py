@@ -389,7 +389,7 @@ def parse(arguments):
     )
     parser.add_argument(
         "results", nargs="+", metavar="result",
-        help="result without suffix, its .h5, .xdmf or .csv, or a folder that holds one result; it is compared with further ones"
+        help="result without suffix, its .h5, .vtkhdf, .xdmf or .csv, or a folder that holds one result; it is compared with further ones"
     )
     parser.add_argument("-o", "--output", help="HTML file (default: <result>_report.html)")
     parser.add_argument(

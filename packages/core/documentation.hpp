@@ -22,4 +22,9 @@ std::string xml_template(const EntryDoc& entry, int indent = 0, const std::strin
 /// words are offered for completion; others stay valid, since names of collections are free.
 std::string xsd(const std::vector<EntryDoc>& entries);
 
+/// A RELAX NG schema for editors and checks, from the declarations: which sections and parameters may stand where,
+/// their types, and the words of choices. Names of one's own are free, as are sections that others read and that are
+/// not documented. Nothing is required, so that overlays are valid too.
+std::string relax_ng(const std::vector<EntryDoc>& entries);
+
 }  // namespace mudline

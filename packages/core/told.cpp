@@ -33,7 +33,7 @@ std::string readable(double value, const std::string& unit, int figures) {
   const double size = std::abs(value);
   for (const Scale& scale : scales)
     if (unit == scale.unit && size >= scale.least) return number(value / scale.size) + scale.name;
-  for (const char* prefixed : {"Pa", "N", "N m", "J", "W"})
+  for (const char* prefixed : {"Pa", "N", "N m", "J", "W", "B"})
     for (const auto& [factor, prefix] : {std::pair(1e9, "G"), std::pair(1e6, "M"), std::pair(1e3, "k")})
       if (unit == prefixed && size >= factor) return number(value / factor) + prefix + unit;
   return unit == "-" || unit.empty() ? told(value, "%.3g") : number(value) + unit;

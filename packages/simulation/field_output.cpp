@@ -80,11 +80,13 @@ void FieldOutput::remeshed(const RunView& run) {
 
 void FieldOutput::end_run(const RunView& run, RunEnd end) {
   if (end == RunEnd::failed) write(run, run.stage.name);
-  if (end != RunEnd::done) return;
-  const Comm& comm = *run.model.mesh().comm();
-  std::string lost = comm.getRank() == 0 ? file_->missing() : "";
-  if (!lost.empty()) lost += ": the file was removed by another program while the run went on";
-  end_where_lost(raw_communicator(comm), lost);
+  if (end == RunEnd::done) {
+    const Comm& comm = *run.model.mesh().comm();
+    std::string lost = comm.getRank() == 0 ? file_->missing() : "";
+    if (!lost.empty()) lost += ": the file was removed by another program while the run went on";
+    end_where_lost(raw_communicator(comm), lost);
+  }
+  file_->complete();
 }
 
 void FieldOutput::write(const RunView& run, const std::string& stage) {

@@ -49,7 +49,7 @@ void ProgressLog::end_run(const RunView& run, RunEnd end) {
   char line[160];
   std::snprintf(line, sizeof line, "done: %d steps, %d rejected, %.1f s", run.step, run.rejected,
                 Teuchos::Time::wallTime() - wall_start_);
-  log::info(std::string(line) + "; results in " + run.stem + ".{xdmf,csv}");
+  log::info(std::string(line) + "; results in " + run.stem + ".{vtkhdf,csv}");
   const StepTimes& times = run.model.system().times();
   std::snprintf(line, sizeof line, "time: residuals %.2f s, Jacobians %.2f s, linear solves %.2f s", times.residual,
                 times.jacobian, times.linear);

@@ -13,13 +13,13 @@ It needs numpy and h5py; history.frame() needs pandas, fields.grid() needs pyvis
 pressure is positive in compression, as in the files (docs/output_format.md).
 """
 
-from mudline.abaqus import convert as mesh_from_abaqus
 from mudline.deck import Deck, Expression
 from mudline.errors import MudlineError
 from mudline.fields import Field, Fields
 from mudline.history import History
+from mudline.mesh_import import import_mesh
 from mudline.program import program, run
 from mudline.result import Result
 from mudline.results import Results
 
-__all__ = ["Deck", "Expression", "Field", "Fields", "History", "MudlineError", "Result", "Results", "mesh_from_abaqus", "program", "run"]
+__all__ = ["Deck", "Expression", "Field", "Fields", "History", "MudlineError", "Result", "Results", "import_mesh", "program", "run"]

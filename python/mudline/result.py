@@ -60,7 +60,7 @@ def find_files(argument):
         stem = stems[0]
     else:
         path = path.with_name(path.name.removesuffix(ENDING))
-        stem = path.with_suffix("") if path.suffix in (".h5", ".xdmf", ".csv") else path
+        stem = path.with_suffix("") if path.suffix in (".h5", ".vtkhdf", ".xdmf", ".csv") else path
     fields, history = (stem.with_name(stem.name + suffix) for suffix in (".h5", ".csv"))
     if path.suffix == ".h5" and not path.is_file():
         raise MudlineError(f"{argument}: there is no such file")

@@ -119,6 +119,15 @@ TEST(Documentation, SchemaIsWellFormedAndOffersTheNames) {
     EXPECT_NE(schema.find("<xs:enumeration value=\"" + std::string(word) + "\"/>"), std::string::npos) << word;
 }
 
+TEST(Documentation, RelaxNgHasTheParametersOfEachType) {
+  const std::string schema = relax_ng({elastic()});
+  Deck deck;  // as above: well-formed
+  EXPECT_EQ(input_error([&] { deck.overlay(schema, "deck.rng"); }),
+            "deck.rng:2: the root element must be <ParameterList>, given <grammar>");
+  for (const char* word : {"Young's modulus", "control", "elastic", "second", "tolerance", "raw"})
+    EXPECT_NE(schema.find("<value type=\"string\">" + std::string(word) + "</value>"), std::string::npos) << word;
+}
+
 TEST(Documentation, EveryFunctionTypeIsDescribed) {
   Registry<FunctionDefinition> types("function");
   register_functions(types);

@@ -31,6 +31,7 @@ struct Cell {
   double per_box;      // number of such cells that fill a parallelogram or a parallelepiped
   Evaluate evaluate;
   int xdmf = 0;                              // number in XDMF's mixed topology; 0: no cell of a mesh
+  int vtk = 0;                               // number in VTK, whose order of nodes it has; 0: no cell of a mesh
   std::vector<int> msh_types;                // Gmsh's element types that become this shape
   std::vector<std::vector<int>> msh_around;  // corners around each higher node in Gmsh's order; empty: the same order
 };

@@ -32,6 +32,7 @@ const CellFrame& hexahedron_frame() {
 Cell hex8() {
   Cell cell = hexahedron_frame().linear("hex8", CellShape::hex8, {CellShape::quad4}, evaluate_grid<3>);
   cell.xdmf = 9;
+  cell.vtk = 12;
   cell.msh_types = {5};
   return cell;
 }
@@ -39,6 +40,7 @@ Cell hex8() {
 Cell hex27() {
   Cell cell = hexahedron_frame().quadratic("hex27", CellShape::hex8, {CellShape::quad9}, true, evaluate_grid<3>);
   cell.xdmf = 50;
+  cell.vtk = 29;
   cell.msh_types = {12, 17};
   cell.msh_around = {{0, 1},
                      {0, 3},

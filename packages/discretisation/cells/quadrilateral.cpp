@@ -38,6 +38,7 @@ void evaluate_quad8(const Cell& own, const double* xi, double* N, double* dN) {
 Cell quad4() {
   Cell cell = quadrilateral_frame().linear("quad4", CellShape::quad4, {CellShape::line2}, evaluate_grid<2>);
   cell.xdmf = 5;
+  cell.vtk = 9;
   cell.msh_types = {3};
   return cell;
 }
@@ -50,6 +51,7 @@ Cell quad8() {
 Cell quad9() {
   Cell cell = quadrilateral_frame().quadratic("quad9", CellShape::quad4, {CellShape::line3}, true, evaluate_grid<2>);
   cell.xdmf = 35;
+  cell.vtk = 28;
   cell.msh_types = {10, 16};
   return cell;
 }

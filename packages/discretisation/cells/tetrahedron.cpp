@@ -22,6 +22,7 @@ const CellFrame& tetrahedron_frame() {
 Cell tet4() {
   Cell cell = tetrahedron_frame().linear("tet4", CellShape::tet4, {CellShape::tri3}, evaluate_simplex<3>);
   cell.xdmf = 6;
+  cell.vtk = 10;
   cell.msh_types = {4};
   return cell;
 }
@@ -29,6 +30,7 @@ Cell tet4() {
 Cell tet10() {
   Cell cell = tetrahedron_frame().quadratic("tet10", CellShape::tet4, {CellShape::tri6}, false, evaluate_simplex<3>);
   cell.xdmf = 38;
+  cell.vtk = 24;
   cell.msh_types = {11};
   cell.msh_around = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
   return cell;

@@ -17,6 +17,7 @@ const CellFrame& triangle_frame() {
 Cell tri3() {
   Cell cell = triangle_frame().linear("tri3", CellShape::tri3, {CellShape::line2}, evaluate_simplex<2>);
   cell.xdmf = 4;
+  cell.vtk = 5;
   cell.msh_types = {2};
   return cell;
 }
@@ -24,6 +25,7 @@ Cell tri3() {
 Cell tri6() {
   Cell cell = triangle_frame().quadratic("tri6", CellShape::tri3, {CellShape::line3}, false, evaluate_simplex<2>);
   cell.xdmf = 36;
+  cell.vtk = 22;
   cell.msh_types = {9};
   return cell;
 }

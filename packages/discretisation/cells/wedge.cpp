@@ -79,6 +79,7 @@ Cell wedge6() {
   Cell cell =
       wedge_frame().linear("wedge6", CellShape::wedge6, sides(CellShape::quad4, CellShape::tri3), evaluate_product);
   cell.xdmf = 8;
+  cell.vtk = 13;
   cell.msh_types = {6};
   return cell;
 }
@@ -87,6 +88,7 @@ Cell wedge15() {
   Cell cell = wedge_frame().quadratic("wedge15", CellShape::wedge6, sides(CellShape::quad8, CellShape::tri6), false,
                                       evaluate_wedge15);
   cell.xdmf = 40;
+  cell.vtk = 26;
   cell.msh_types = {18};
   cell.msh_around = msh_around();
   return cell;
@@ -96,6 +98,7 @@ Cell wedge18() {
   Cell cell = wedge_frame().quadratic("wedge18", CellShape::wedge6, sides(CellShape::quad9, CellShape::tri6), false,
                                       evaluate_product);
   cell.xdmf = 41;
+  cell.vtk = 32;
   cell.msh_types = {13};
   cell.msh_around = msh_around();
   return cell;

@@ -71,7 +71,7 @@ struct FieldFile::File {
   std::map<std::string, xdmf::Field> write_fields(hid_t file, const std::string& group,
                                                   const std::vector<OutputField>& fields, const IdOrder& order) const;
   void write_bodies(hid_t file, const std::map<std::string, BodyPose>& poses) const;
-  void publish() const;
+  void publish();
   void fail_alike(const std::string& message) const;
 
   Teuchos::RCP<const Teuchos::Comm<int>> owner;  // keeps the communicator alive
@@ -93,6 +93,7 @@ FieldFile::File::File(const Mesh& mesh, const std::string& path_stem, int mesh_n
       elements(comm, field_layout::element_ids(mesh), mesh.num_global_elements()),
       index(path_stem, rank == 0) {
   index.geometry = mudline::name(mesh.geometry());
+  index.regions = mesh.regions();
   on = {FieldIndex::mesh_name(number), nodes.global_count(), elements.global_count(), 0};
 }
 
@@ -282,7 +283,7 @@ void FieldFile::File::write_bodies(hid_t file, const std::map<std::string, BodyP
 }
 
 /// Writes the index, so that readers find the steps so far.
-void FieldFile::File::publish() const { fail_alike(index.write()); }
+void FieldFile::File::publish() { fail_alike(index.write()); }
 
 std::optional<std::map<std::string, std::string>> metadata_of(const std::string& path_stem) {
   const std::string path = FieldIndex(path_stem, false).path();
@@ -388,6 +389,8 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
   f.index.append(written);
   f.publish();
 }
+
+void FieldFile::complete() { file_->fail_alike(file_->index.write(true)); }
 
 const FieldMarks& FieldFile::marks() const { return file_->marks; }
 

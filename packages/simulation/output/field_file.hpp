@@ -51,17 +51,18 @@ struct FieldRestart {
 std::optional<std::map<std::string, std::string>> metadata_of(const std::string& path_stem);
 
 /// The fields of a run: an HDF5 file for the mesh and one for every step, written by all ranks together in a folder,
-/// and beside it an HDF5 file of links to them and an XDMF file for ParaView. Every file is written under a temporary
-/// name and renamed when it is complete, so they can be looked at while the run goes on, and a killed run leaves every
-/// step that was written. (HDF5 changes a growing file in place: a program killed in the middle of that leaves a file
-/// that cannot be read.) Rows are ordered by global ids: nothing depends on the number of ranks. docs/output_format.md
-/// has the layout.
+/// and beside it an HDF5 file of links to them and files for ParaView (VTKHDF, XDMF). Every file is written under a
+/// temporary name and renamed when it is complete, so they can be looked at while the run goes on, and a killed run
+/// leaves every step that was written. (HDF5 changes a growing file in place: a program killed in the middle of that
+/// leaves a file that cannot be read.) Rows are ordered by global ids: nothing depends on the number of ranks.
+/// docs/output_format.md has the layout.
 ///
 /// Every member is collective and wants the same names, times and texts on every rank. Errors are thrown alike:
 /// RunError for a value that is not finite or a disk that refuses, std::invalid_argument for a wrong call.
 class FieldFile {
  public:
-  /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".xdmf".
+  /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".vtkhdf" and
+  /// ".xdmf".
   /// Without `restart` old files are replaced. With it the steps that it counts stay and later ones are removed.
   /// InputError when the old file cannot be continued: it is no result of mudline, is of another mesh, or files are
   /// missing or changed. `number`: number of the remeshed mesh of the steps from now on; only with a restart.
@@ -80,6 +81,9 @@ class FieldFile {
   void write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
              const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
              const std::map<std::string, BodyPose>& poses = {});
+
+  /// Brings the files for VTK, which are written now and then, up to the last step.
+  void complete();
 
   /// Number of steps written so far, those of before a restart included.
   int num_steps() const;

@@ -6,8 +6,10 @@
 #include <stdexcept>
 
 #include "core/errors.hpp"
+#include "core/log.hpp"
 #include "simulation/output/atomic_file.hpp"
 #include "simulation/output/hdf5_tools.hpp"
+#include "simulation/output/vtkhdf.hpp"
 #include "simulation/output/whole_file.hpp"
 
 namespace mudline {
@@ -97,11 +99,43 @@ void FieldIndex::add_body(const std::string& link, const std::string& name, cons
 }
 
 void FieldIndex::append(const xdmf::Step& step) {
-  if (writer_) grids_ += xdmf::grid(model, step);
   ++steps;
+  if (!writer_) return;
+  if (for_vtk_ && (written_.empty() || written_.back().mesh.file != step.mesh.file)) {
+    for_vtk_ =
+        h5::has_link(h5::open_group(h5::open_file(MPI_COMM_SELF, file_path(step.mesh.file), false), "mesh"), "types");
+    if (!for_vtk_) log::warn(vtk_path() + " is left out: " + file_path(step.mesh.file) + " is of an earlier version");
+  }
+  written_.push_back(step);
+  grids_ += xdmf::grid(model, step);
 }
 
-std::string FieldIndex::write() const {
+std::string FieldIndex::write_for_vtk() {
+  try {
+    std::string error = write_atomically(
+        vtk_path(), h5::file_image([this](hid_t file) { vtkhdf::write_soil(file, model, written_, regions); }));
+    for (const auto& [name, shape] : outlines) {
+      if (!error.empty()) break;
+      const std::string& link = name;
+      const SurfaceTriangles& outline = shape;
+      error = write_atomically(vtk_path(link),
+                               h5::file_image([&](hid_t file) { vtkhdf::write_body(file, link, outline, written_); }));
+    }
+    vtk_steps_ = steps;
+    return error;
+  } catch (const std::runtime_error& failure) {
+    return failure.what();
+  }
+}
+
+void FieldIndex::remove_for_vtk() const {
+  std::error_code ignored;
+  std::filesystem::remove(vtk_path(), ignored);
+  for (const auto& entry : std::filesystem::directory_iterator(folder(), ignored))
+    if (entry.path().extension() == ".vtkhdf") std::filesystem::remove(entry.path(), ignored);
+}
+
+std::string FieldIndex::write(bool complete) {
   if (!writer_) return "";
   FileSize size{0, 8 + metadata.size() + 3 * outlines.size() + steps};
   for (const auto& [link, text] : metadata) size.bytes += text.size();
@@ -125,16 +159,23 @@ std::string FieldIndex::write() const {
     }
     for (std::size_t k = 0; k < steps; ++k) h5::link_to_file(links, step_name(k), model.path(step_name(k)), "/");
   });
-  // Both files may name only steps that exist.
+  // They may name only steps that exist.
   std::error_code ignored;
   if (error.empty() && steps > 0) error = write_atomically(stem + ".xdmf", xdmf::document(grids_));
   if (steps == 0) std::filesystem::remove(stem + ".xdmf", ignored);
+  const bool due = vtk_steps_ != steps && (complete || 10 * steps >= 11 * vtk_steps_);
+  if (error.empty() && due && for_vtk_) error = write_for_vtk();
+  if (steps == 0 || !for_vtk_) remove_for_vtk();
   return error;
 }
 
 std::string FieldIndex::missing() const {
   std::vector<std::string> paths{path(), mesh_path(0)};
   if (steps > 0) paths.push_back(stem + ".xdmf");
+  if (steps > 0 && for_vtk_) {
+    paths.push_back(vtk_path());
+    for (const auto& entry : outlines) paths.push_back(vtk_path(entry.first));
+  }
   for (std::size_t k = 0; k < steps; ++k) paths.push_back(step_path(k));
   std::error_code ignored;
   for (const std::string& file : paths)
@@ -146,6 +187,7 @@ void FieldIndex::remove_files() const {
   std::error_code ignored;
   std::filesystem::remove(stem + ".xdmf", ignored);
   std::filesystem::remove(path(), ignored);
+  remove_for_vtk();
   remove_steps(0);
 }
 

@@ -10,10 +10,10 @@
 
 namespace mudline {
 
-/// The two small files through which the steps of a run are found: <stem>.h5, whose links lead to the files of the mesh
-/// and of the steps in the folder <stem>.fields, and <stem>.xdmf. Both are written whole under a temporary name and
-/// renamed, so that a killed run leaves the old ones or the new ones. Nothing here is collective: every rank holds an
-/// index, and that of rank 0 writes.
+/// The small files through which the steps of a run are found: <stem>.h5, whose links lead to the files of the mesh and
+/// of the steps in the folder <stem>.fields; <stem>.xdmf; and <stem>.vtkhdf, with a <body>.vtkhdf in the folder for
+/// each body. They are written whole under a temporary name and renamed, so that a killed run leaves the old ones or
+/// the new ones. Nothing here is collective: every rank holds an index, and that of rank 0 writes.
 struct FieldIndex {
   FieldIndex(const std::string& stem, bool writer);
 
@@ -38,26 +38,35 @@ struct FieldIndex {
   /// Adds a complete step.
   void append(const xdmf::Step& step);
 
-  /// Writes both files, if it is the writer; without steps there is no XDMF file. Returns what went wrong, "" when
-  /// nothing did.
-  std::string write() const;
+  /// Writes the files, if it is the writer; without steps that of links alone. The time that those for VTK take grows
+  /// with the number of steps; they are written when it has grown by a tenth, or where they are to be `complete`.
+  /// Returns what went wrong, "" when nothing did.
+  std::string write(bool complete = false);
 
-  /// The first missing file, or "": of both files of the index, and of those of the first mesh and of the steps.
+  /// The first missing file, or "": of the index, and of those of the first mesh and of the steps.
   std::string missing() const;
 
-  /// Remove both files and all steps, or the steps from `first` on.
+  /// Remove the files of the index and all steps, or the steps from `first` on.
   void remove_files() const;
   void remove_steps(std::size_t first) const;
 
   std::string stem, geometry;
   xdmf::Model model;
+  std::vector<std::string> regions;                  // names by number
   std::map<std::string, std::string> metadata;       // by link name
   std::map<std::string, SurfaceTriangles> outlines;  // by link name, in the reference position; no facets in the plane
   std::size_t steps = 0;
 
  private:
-  bool writer_;
-  std::string grids_;  // XML of the steps so far, kept by the writer
+  std::string vtk_path() const { return stem + ".vtkhdf"; }
+  std::string vtk_path(const std::string& body) const { return folder() + "/" + body + ".vtkhdf"; }
+  std::string write_for_vtk();
+  void remove_for_vtk() const;
+
+  bool writer_, for_vtk_ = true;     // false: a mesh was written by an earlier version, which left no cells for VTK
+  std::size_t vtk_steps_ = 0;        // steps in the files for VTK that this object wrote
+  std::vector<xdmf::Step> written_;  // kept by the writer, as is the XML of these steps
+  std::string grids_;
 };
 
 }  // namespace mudline

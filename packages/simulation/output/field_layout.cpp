@@ -23,15 +23,18 @@ std::vector<double> stored_columns(const std::vector<double>& values, int compon
   return result;
 }
 
-/// Length of an element's row as it is sent to its slab: XDMF cell number, region, then its nodes, filled up with -1.
+constexpr int before_nodes = 3;
+
+/// Length of an element's row as it is sent to its slab: numbers of its cell in XDMF and in VTK, region, then its
+/// nodes, filled up with -1.
 int row_width(const Mesh& mesh) {
   int nodes = 0;
   for (const auto& block : mesh.blocks()) nodes = std::max(nodes, num_nodes(block.shape));
-  return 2 + nodes;
+  return before_nodes + nodes;
 }
 
 std::vector<long long> element_rows(const Mesh& mesh) {
-  const int max_nodes = row_width(mesh) - 2;
+  const int max_nodes = row_width(mesh) - before_nodes;
   std::vector<long long> rows;
   for (const auto& block : mesh.blocks()) {
     const int count = num_nodes(block.shape);
@@ -40,6 +43,7 @@ std::vector<long long> element_rows(const Mesh& mesh) {
     const long long region = std::find(regions.begin(), regions.end(), block.region) - regions.begin();
     for (int e = 0; e < block.num_elements; ++e) {
       rows.push_back(cell(block.shape).xdmf);
+      rows.push_back(cell(block.shape).vtk);
       rows.push_back(region);
       for (int i = 0; i < max_nodes; ++i) rows.push_back(i < count ? mesh.node_ids()[nodes(e, i)] : -1);
     }
@@ -70,8 +74,9 @@ h5::Handle write_rows(hid_t parent, const std::string& name, const std::vector<d
 }
 
 FileSize mesh_size(const Mesh& mesh) {
-  FileSize size{3 * sizeof(double) * mesh.num_owned_nodes(), 6};
-  for (const auto& block : mesh.blocks()) size.bytes += (row_width(mesh) + 2) * sizeof(long long) * block.num_elements;
+  FileSize size{3 * sizeof(double) * mesh.num_owned_nodes(), 9};
+  for (const auto& block : mesh.blocks())
+    size.bytes += 2 * (row_width(mesh) + 2) * sizeof(long long) * block.num_elements;
   for (const std::string& region : mesh.regions()) size.bytes += region.size() + 1;
   return size;
 }
@@ -79,29 +84,41 @@ FileSize mesh_size(const Mesh& mesh) {
 long long write_mesh(hid_t file, MPI_Comm comm, const Mesh& mesh, const IdOrder& nodes, const IdOrder& elements) {
   const int width = row_width(mesh);
   const std::vector<long long> rows = elements.gather(element_rows(mesh), width);
-  std::vector<long long> topology, offsets;
+  std::vector<long long> topology, offsets, connectivity, ends;
   std::vector<int> region;
+  std::vector<unsigned char> types;
   for (std::size_t row = 0; row < rows.size(); row += width) {
     offsets.push_back(static_cast<long long>(topology.size()));
     topology.push_back(rows[row]);
-    region.push_back(static_cast<int>(rows[row + 1]));
-    for (int i = 2; i < width && rows[row + i] >= 0; ++i) topology.push_back(rows[row + i]);
+    types.push_back(static_cast<unsigned char>(rows[row + 1]));
+    region.push_back(static_cast<int>(rows[row + 2]));
+    for (int i = before_nodes; i < width && rows[row + i] >= 0; ++i) connectivity.push_back(rows[row + i]);
+    topology.insert(topology.end(), connectivity.begin() + (ends.empty() ? 0 : ends.back()), connectivity.end());
+    ends.push_back(static_cast<long long>(connectivity.size()));
   }
   const long long length = static_cast<long long>(topology.size());
   long long end = 0, total = 0;
   MPI_Scan(&length, &end, 1, MPI_LONG_LONG, MPI_SUM, comm);
   MPI_Allreduce(&length, &total, 1, MPI_LONG_LONG, MPI_SUM, comm);
-  const long long first = end - length;
+  const long long first = end - length, first_node = first - elements.first();
   for (auto& offset : offsets) offset += first;
+  for (auto& cell_end : ends) cell_end += first_node;
 
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
+  const hsize_t cells = elements.global_count(), first_cell = elements.first(), own_cells = elements.count();
   const auto group = h5::create_group(file, "mesh");
-  const h5::Slab by_element{hsize_t(elements.global_count()), 0, hsize_t(elements.first()), hsize_t(elements.count())};
+  const h5::Slab by_element{cells, 0, first_cell, own_cells};
   h5::write(group, "topology", topology, {hsize_t(total), 0, hsize_t(first), hsize_t(length)});
   h5::write(group, "offset", offsets, by_element);
   h5::write(group, "region", region, by_element);
   h5::write_text(group, "region names", join(mesh.regions(), "\n"), rank);
+  // the same cells as VTK wants them: the end of each in the nodes of all, after a leading 0
+  h5::write(group, "connectivity", connectivity,
+            {hsize_t(total) - cells, 0, hsize_t(first_node), hsize_t(connectivity.size())});
+  if (rank == 0) ends.insert(ends.begin(), 0);
+  h5::write(group, "offsets", ends, {cells + 1, 0, first_cell + (rank == 0 ? 0 : 1), hsize_t(ends.size())});
+  h5::write(group, "types", types, by_element);
 
   std::vector<double> reference;
   const auto coordinates = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), mesh.coordinates());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <stdexcept>
 
 namespace mudline::h5 {
@@ -21,6 +22,10 @@ hid_t native<int>() {
 template <>
 hid_t native<long long>() {
   return H5T_NATIVE_LLONG;
+}
+template <>
+hid_t native<unsigned char>() {
+  return H5T_NATIVE_UCHAR;
 }
 
 // HDF5 prints a stack for every failing call; mudline's exceptions say it in one line instead.
@@ -54,12 +59,19 @@ std::pair<Handle, Handle> selections(hid_t file_space, const Slab& slab) {
   return {std::move(memory), std::move(file)};
 }
 
-Handle text_type(std::size_t size) {
+Handle text_type(std::size_t size, H5T_cset_t characters = H5T_CSET_UTF8) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "describe a text");
   check(H5Tset_size(type, std::max<std::size_t>(size, 1)), "describe a text");  // HDF5 has no empty text
   check(H5Tset_strpad(type, H5T_STR_NULLPAD), "describe a text");
-  check(H5Tset_cset(type, H5T_CSET_UTF8), "describe a text");
+  check(H5Tset_cset(type, characters), "describe a text");
   return type;
+}
+
+/// Name of a source of a virtual dataset, in which "%" would begin a number.
+std::string source_name(const std::string& name) {
+  std::string result;
+  for (char c : name) result += c == '%' ? "%%" : std::string(1, c);
+  return result;
 }
 
 std::string trimmed(std::string text) {
@@ -101,6 +113,20 @@ Handle open_file(MPI_Comm comm, const std::string& path, bool writable) {
   const Handle access = parallel_access(comm);
   return Handle(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), H5Fclose,
                 "open '" + path + "' as an HDF5 file");
+}
+
+std::string file_image(const std::function<void(hid_t file)>& content) {
+  silence();
+  constexpr std::size_t growth = 65536;  // [bytes]
+  const std::string doing = "make an HDF5 file in memory";
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, doing);
+  check(H5Pset_fapl_core(access, growth, 0), doing);
+  const Handle file(H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, doing);
+  content(file);
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), doing);
+  std::string bytes(std::max<ssize_t>(H5Fget_file_image(file, nullptr, 0), 0), '\0');
+  check(H5Fget_file_image(file, bytes.data(), bytes.size()) > 0 ? 0 : -1, doing);
+  return bytes;
 }
 
 Handle create_group(hid_t parent, const std::string& name) {
@@ -176,6 +202,16 @@ Handle write(hid_t parent, const std::string& name, const std::vector<T>& values
 }
 
 template <class T>
+void write_alone(hid_t parent, const std::string& name, const std::vector<T>& values, hsize_t columns) {
+  const hsize_t dimensions[2] = {values.size() / std::max<hsize_t>(columns, 1), columns};
+  const Handle space(H5Screate_simple(columns == 0 ? 1 : 2, dimensions, nullptr), H5Sclose, "describe '" + name + "'");
+  const Handle dataset(H5Dcreate2(parent, name.c_str(), native<T>(), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose, "create dataset '" + name + "'");
+  if (!values.empty())
+    check(H5Dwrite(dataset, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "write dataset '" + name + "'");
+}
+
+template <class T>
 std::vector<T> read(hid_t parent, const std::string& name, const Slab& slab) {
   const Handle dataset = open_dataset(parent, name);
   const Handle space(H5Dget_space(dataset), H5Sclose, "describe '" + name + "'");
@@ -197,6 +233,39 @@ std::vector<T> read_all(hid_t parent, const std::string& name) {
   return values;
 }
 
+template <class T>
+void write_virtual(hid_t parent, const std::string& name, const std::vector<Source>& sources, hsize_t columns,
+                   const std::vector<int>& order) {
+  const std::string doing = "describe '" + name + "'";
+  const int dimensions = columns == 0 ? 1 : 2;
+  hsize_t whole[2] = {0, columns};
+  for (const Source& source : sources) whole[0] += source.rows;
+  const Handle space(H5Screate_simple(dimensions, whole, nullptr), H5Sclose, doing);
+  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, doing);
+  const T missing = std::numeric_limits<T>::has_quiet_NaN ? std::numeric_limits<T>::quiet_NaN() : T(0);
+  check(H5Pset_fill_value(layout, native<T>(), &missing), doing);
+  hsize_t first = 0;
+  for (const Source& source : sources) {
+    if (source.rows == 0) continue;
+    const hsize_t there[2] = {source.rows, columns};
+    const Handle rows(H5Screate_simple(dimensions, there, nullptr), H5Sclose, doing);
+    // without a new order all columns at once, else one after the other
+    for (std::size_t c = 0; c < std::max<std::size_t>(order.size(), 1) && !source.file.empty(); ++c) {
+      const hsize_t width = order.empty() ? columns : 1;
+      const hsize_t to[2] = {first, order.empty() ? 0 : c}, from[2] = {0, order.empty() ? 0 : hsize_t(order[c])};
+      const hsize_t count[2] = {source.rows, width};
+      check(H5Sselect_hyperslab(space, H5S_SELECT_SET, to, nullptr, count, nullptr), doing);
+      check(H5Sselect_hyperslab(rows, H5S_SELECT_SET, from, nullptr, count, nullptr), doing);
+      check(H5Pset_virtual(layout, space, source_name(source.file).c_str(), source_name(source.dataset).c_str(), rows),
+            doing);
+    }
+    first += source.rows;
+  }
+  check(H5Sselect_all(space), doing);
+  const Handle dataset(H5Dcreate2(parent, name.c_str(), native<T>(), space, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose,
+                       "create dataset '" + name + "'");
+}
+
 hsize_t size(hid_t parent, const std::string& name) {
   const Handle dataset = open_dataset(parent, name);
   const Handle space(H5Dget_space(dataset), H5Sclose, "describe '" + name + "'");
@@ -206,6 +275,18 @@ hsize_t size(hid_t parent, const std::string& name) {
 template Handle write(hid_t, const std::string&, const std::vector<double>&, const Slab&);
 template Handle write(hid_t, const std::string&, const std::vector<int>&, const Slab&);
 template Handle write(hid_t, const std::string&, const std::vector<long long>&, const Slab&);
+template Handle write(hid_t, const std::string&, const std::vector<unsigned char>&, const Slab&);
+template void write_alone(hid_t, const std::string&, const std::vector<double>&, hsize_t);
+template void write_alone(hid_t, const std::string&, const std::vector<long long>&, hsize_t);
+template void write_alone(hid_t, const std::string&, const std::vector<unsigned char>&, hsize_t);
+template void write_virtual<double>(hid_t, const std::string&, const std::vector<Source>&, hsize_t,
+                                    const std::vector<int>&);
+template void write_virtual<int>(hid_t, const std::string&, const std::vector<Source>&, hsize_t,
+                                 const std::vector<int>&);
+template void write_virtual<long long>(hid_t, const std::string&, const std::vector<Source>&, hsize_t,
+                                       const std::vector<int>&);
+template void write_virtual<unsigned char>(hid_t, const std::string&, const std::vector<Source>&, hsize_t,
+                                           const std::vector<int>&);
 template std::vector<double> read(hid_t, const std::string&, const Slab&);
 template std::vector<int> read(hid_t, const std::string&, const Slab&);
 template std::vector<long long> read(hid_t, const std::string&, const Slab&);
@@ -230,6 +311,19 @@ std::string read_text(hid_t parent, const std::string& name) {
   return trimmed(text);
 }
 
+void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts) {
+  const std::string doing = "create texts '" + name + "'";
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, doing);
+  check(H5Tset_size(type, H5T_VARIABLE), doing);
+  const hsize_t rows = texts.size();
+  const Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose, doing);
+  const Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+                       doing);
+  std::vector<const char*> bytes;
+  for (const std::string& text : texts) bytes.push_back(text.c_str());
+  if (rows > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), doing);
+}
+
 void set_attribute(hid_t object, const std::string& name, const std::string& text) {
   put_attribute(object, name, text_type(text.size()), scalar_space(), text.c_str());
 }
@@ -241,9 +335,21 @@ void set_attribute(hid_t object, const std::string& name, const std::vector<doub
   put_attribute(object, name, H5T_NATIVE_DOUBLE, space, values.data());
 }
 
+void set_attribute(hid_t object, const std::string& name, const std::vector<long long>& values) {
+  const hsize_t count = values.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "describe attribute '" + name + "'");
+  put_attribute(object, name, H5T_NATIVE_LLONG, space, values.data());
+}
+
 void set_attribute(hid_t object, const std::string& name, long long value) {
   put_attribute(object, name, H5T_NATIVE_LLONG, scalar_space(), &value);
 }
+
+void set_ascii_attribute(hid_t object, const std::string& name, const std::string& text) {
+  put_attribute(object, name, text_type(text.size(), H5T_CSET_ASCII), scalar_space(), text.c_str());
+}
+
+bool has_link(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
 
 bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(object, name.c_str()) > 0; }
 

@@ -4,6 +4,7 @@
 #include <hdf5.h>
 #include <mpi.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,8 @@ void check(herr_t status, const std::string& doing);
 /// `user_block`: bytes at the start of the file that HDF5 leaves alone; 0, or a power of two from 512 on.
 Handle create_file(MPI_Comm comm, const std::string& path, hsize_t user_block);
 Handle open_file(MPI_Comm comm, const std::string& path, bool writable);
+/// The bytes of a small file that is made in memory by this process alone. std::runtime_error.
+std::string file_image(const std::function<void(hid_t file)>& content);
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
@@ -63,14 +66,28 @@ struct Slab {
   hsize_t first = 0, count = 0;  // this rank's rows
 };
 
-/// Create a dataset and write every rank's rows, or read them. T: double, int, long long. Collective.
+/// Create a dataset and write every rank's rows, or read them. T: double, int, long long, unsigned char. Collective.
 template <class T>
 Handle write(hid_t parent, const std::string& name, const std::vector<T>& values, const Slab& slab);
 template <class T>
 std::vector<T> read(hid_t parent, const std::string& name, const Slab& slab);
+/// Writes a whole dataset by this process alone; `columns` 0: one-dimensional.
+template <class T>
+void write_alone(hid_t parent, const std::string& name, const std::vector<T>& values, hsize_t columns = 0);
 /// Reads the whole dataset on every rank.
 template <class T>
 std::vector<T> read_all(hid_t parent, const std::string& name);
+/// Rows of a dataset in another file, all of them; `file` is relative to the folder of the file that refers to it.
+struct Source {
+  std::string file, dataset;  // empty: there are none, and a reader finds NaN, or 0 in a dataset of integers
+  hsize_t rows;
+};
+
+/// Creates a virtual dataset: the rows of the sources one after the other, which stay where they are. `columns` 0:
+/// one-dimensional. `order`: column of the sources for each of its own; empty: the same.
+template <class T>
+void write_virtual(hid_t parent, const std::string& name, const std::vector<Source>& sources, hsize_t columns,
+                   const std::vector<int>& order = {});
 /// Number of values in a dataset.
 hsize_t size(hid_t parent, const std::string& name);
 
@@ -79,10 +96,17 @@ hsize_t size(hid_t parent, const std::string& name);
 void write_text(hid_t parent, const std::string& name, const std::string& text, int rank);
 std::string read_text(hid_t parent, const std::string& name);
 
+/// Texts of variable length, one a row, as VTK reads them: said to be ASCII, though the bytes are UTF-8.
+void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts);
+
 // Small attributes; every rank gives the same value.
 void set_attribute(hid_t object, const std::string& name, const std::string& text);
 void set_attribute(hid_t object, const std::string& name, const std::vector<double>& values);
+void set_attribute(hid_t object, const std::string& name, const std::vector<long long>& values);
 void set_attribute(hid_t object, const std::string& name, long long value);
+/// A text that is said to be ASCII, which readers of VTK's format insist on.
+void set_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
+bool has_link(hid_t parent, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
 std::string text_attribute(hid_t object, const std::string& name);
 double number_attribute(hid_t object, const std::string& name);

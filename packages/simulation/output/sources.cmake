@@ -13,5 +13,6 @@ set(simulation_output_sources
   output/mesh_parts_file.cpp
   output/result_lock.cpp
   output/seal.cpp
+  output/vtkhdf.cpp
   output/whole_file.cpp
   output/xdmf.cpp)
