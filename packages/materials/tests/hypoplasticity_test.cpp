@@ -270,7 +270,7 @@ TEST(Hypoplasticity, VoidRatiosBeyondTheLimitsAreThoseOfTheLimits) {
 std::string refusal(const Hypoplasticity& parameters, const Tensor& stress, double void_ratio) {
   const Law law(parameters);
   std::vector<double> state(law.state_size());
-  InitialPoint point;
+  InitialPoint point{};
   point.stress = stress;
   point.void_ratio = void_ratio;
   return law.initialise(point, state.data());

@@ -76,7 +76,7 @@ TEST(Integration, ImplicitCamClayReachesTheElementTestsWithTwoHundredSteps) {
 TEST(ModifiedCamClayStart, PreconsolidationFollowsFromTheNormalCompressionLine) {
   ModifiedCamClay law = clay(Method::modified_euler, 1e-4);
   law.normal_volume = 2.5;
-  InitialPoint point;
+  InitialPoint point{};
   point.stress = isotropic_stress(80e3);
   double state[ModifiedCamClay::state_size];
   const double pc = 240.0;  // [kPa]
@@ -98,7 +98,7 @@ TEST(ModifiedCamClayStart, PreconsolidationFollowsFromTheNormalCompressionLine) 
 /// The inverse: pc from the overconsolidation ratio, the void ratio from the line; a start with both agrees.
 TEST(ModifiedCamClayStart, VoidRatioFollowsFromTheOverconsolidation) {
   ModifiedCamClay law = clay(Method::modified_euler, 1e-4);
-  InitialPoint point;
+  InitialPoint point{};
   point.stress = {-60e3, -120e3, -60e3, 0.0, 0.0, 0.0};
   point.overconsolidation_ratio = 2.0;
   EXPECT_EQ(law.void_ratio(point), Skeleton::no_void_ratio);

@@ -148,7 +148,7 @@ TEST(MohrCoulomb, CohesionGrowsWithDepthAndStaysWithTheMaterial) {
   MohrCoulomb law = soil();
   law.cohesion.gradient = 2e3;
   law.cohesion.elevation = 3.0;
-  InitialPoint point;
+  InitialPoint point{};
   double state[MohrCoulomb::state_size];
   for (const double y : {5.0, 3.0, -1.0}) {
     point.position = {0, 7, -y};

@@ -18,7 +18,7 @@ class PointDriver {
  public:
   PointDriver(const Skeleton& law, const std::array<double, 6>& stress, double void_ratio, double ocr = 1.0)
       : stress_(stress), void_ratio_(void_ratio), law_(law), state_(law.state_size()) {
-    InitialPoint point;
+    InitialPoint point{};
     point.stress = stress;
     point.void_ratio = void_ratio;
     point.overconsolidation_ratio = ocr;

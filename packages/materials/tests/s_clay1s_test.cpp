@@ -88,7 +88,7 @@ TEST(SClay1s, StartsWithTheFabricOfVirginCompression) {
     EXPECT_FALSE(state.undrained_strength);
   }
   std::vector<double> state(create(by_stress)->state_size());
-  InitialPoint isotropic;
+  InitialPoint isotropic{};
   isotropic.stress = isotropic_stress(1e5);
   isotropic.void_ratio = 1.8;
   EXPECT_NE(create(by_stress)->initialise(isotropic, state.data()).find("give 'fabric axis'"), std::string::npos);
@@ -100,7 +100,7 @@ TEST(SClay1s, BondingAndVoidRatioAtTheStart) {
   Teuchos::ParameterList list = clay();
   list.set("fabric rotation rate", 30.0).set("initial bonding", 4.0).set("normal compression volume", 4.0);
   const auto law = create(list);
-  InitialPoint point;
+  InitialPoint point{};
   point.stress = {-5e4, -1e5, -5e4, 0.0, 0.0, 0.0};
   point.overconsolidation_ratio = 1.6;
   point.void_ratio = law->void_ratio(point);

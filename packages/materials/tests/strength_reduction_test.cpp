@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <list>
 
 #include "materials/register_materials.hpp"
 #include "point_driver.hpp"
@@ -19,7 +20,7 @@ class StrengthReduction : public testing::Test {
   StrengthReduction() { register_materials(skeletons_, fluids_, permeabilities_); }
 
   std::unique_ptr<Skeleton> law(const std::string& type, const Teuchos::ParameterList& list) const {
-    Teuchos::ParameterList typed(list);
+    Teuchos::ParameterList& typed = lists_.emplace_back(list);
     typed.set("type", type);
     return skeletons_.create(Section(typed, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""));
   }
@@ -49,6 +50,7 @@ class StrengthReduction : public testing::Test {
     }
   }
 
+  mutable std::list<Teuchos::ParameterList> lists_;  // laws whose numbers vary keep their section
   Registry<Skeleton> skeletons_{"skeleton"};
   Registry<Fluid> fluids_{"fluid"};
   Registry<Permeability> permeabilities_{"permeability"};
