@@ -486,8 +486,7 @@ void PointContact::touch_first(std::size_t side, const State& committed, FirstTo
     const int row = first_row_[side] + c;
     Point traction{};
     if (parts_.initial_gap.presses()) traction = start_traction(side, row, committed, place, outward, point.normal);
-    const double total = dot(point.normal, traction);
-    double pressure = total;
+    double pressure = dot(point.normal, traction);
     // the film's pressure is the pore pressure; the rest is the law's
     if (parts_.initial_gap.presses() && parts_.drainage.has_film()) pressure -= pore_pressure(side, c, committed.value);
     found.pulled += pressure < 0;
@@ -506,7 +505,9 @@ void PointContact::touch_first(std::size_t side, const State& committed, FirstTo
     point.force = point.pressure * area[c] * point.normal;
     point.shear = rows_.shear(committed, row);
     if (laws_.friction()) {
-      const Point shear = traction - total * point.normal, &n = point.normal;
+      // that on the target's surface: a facet of the mesh beside it would bear a part of the pressure as shear
+      const Point &n = point.normal, along = start_traction(side, row, committed, place, -n, n),
+                  shear = along - dot(n, along) * n;
       point.shear.shear = axes() == 2 ? Point{n[0] * shear[1] - n[1] * shear[0], 0, 0} : shear;
       if (enforcement_.augmented()) rows_.set_shear_multiplier(committed, row, point.shear.shear);
       point.friction = area[c] * shear;
