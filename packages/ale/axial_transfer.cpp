@@ -41,6 +41,7 @@ AxialTransfer::AxialTransfer(const Side& from, const Side& to)
     for (const SoilBlock& block : to_.soil.blocks) counterparts_.push_back(counterparts(block));
     check_laws();
   });
+  find_points();
   measure_fit();
   agree(comm, [&] {
     if (fit_.in_sides <= most_sides) return;
@@ -105,23 +106,31 @@ AxialTransfer::Found AxialTransfer::find(int block, const Point& in_space, Found
   return best;
 }
 
+void AxialTransfer::find_points() {
+  for (std::size_t k = 0; k < to_.soil.blocks.size(); ++k) {
+    const SoilBlock& block = to_.soil.blocks[k];
+    std::vector<Found>& found = found_.emplace_back();
+    Found guess;
+    for (int e : mesh_.own_elements(block.block))
+      for (int q = 0; q < block.points; ++q)
+        found.push_back(find(static_cast<int>(k), Recovery::position(mesh_.elements()[e], block, q, x_), guess));
+  }
+}
+
 void AxialTransfer::measure_fit() {
   double points = 0, outside = 0, in_sides = 0;
   Point where{};
   for (std::size_t k = 0; k < to_.soil.blocks.size(); ++k) {
     const SoilBlock& block = to_.soil.blocks[k];
-    Found guess;
-    for (int e : mesh_.own_elements(block.block))
-      for (int q = 0; q < block.points; ++q) {
-        const Point place = Recovery::position(mesh_.elements()[e], block, q, x_);
-        const double beyond = find(static_cast<int>(k), place, guess).outside;
-        ++points;
-        outside += beyond > 1e-6;
-        if (beyond > in_sides) {
-          in_sides = beyond;
-          where = place;
-        }
-      }
+    for (std::size_t row = 0; row < found_[k].size(); ++row) {
+      const double beyond = found_[k][row].outside;
+      ++points;
+      outside += beyond > 1e-6;
+      if (beyond <= in_sides) continue;
+      in_sides = beyond;
+      const int e = mesh_.own_elements(block.block)[row / block.points];
+      where = Recovery::position(mesh_.elements()[e], block, static_cast<int>(row % block.points), x_);
+    }
   }
   fit_.points = mesh_.sum(points);
   fit_.outside = mesh_.sum(outside);
@@ -133,8 +142,9 @@ void AxialTransfer::measure_fit() {
   fit_.turn = soil_volume(mesh_, to_.soil, x_) / soil_volume(old_mesh_, from_.soil, x_old_);
 }
 
-std::vector<double> AxialTransfer::fields_at(const SoilBlock& old_block, const SoilBlock& block, const SoilTable& table,
+std::vector<double> AxialTransfer::fields_at(int old_index, std::size_t k, const SoilTable& table,
                                              const StateStore& old_store) const {
+  const SoilBlock &old_block = from_.soil.blocks[old_index], &block = to_.soil.blocks[k];
   const BlockPoints before{old_mesh_, old_block, x_old_}, after{mesh_, block, x_, true};
   const std::vector<double> old =
       old_mesh_.gather_points(old_block.block, old_block.points, SoilTable::rows(old_store, from_.state, old_block));
@@ -150,24 +160,26 @@ std::vector<double> AxialTransfer::fields_at(const SoilBlock& old_block, const S
     remap.transfer(transfer);
   }
   PointRules(table.variables).take_nearest(transfer);
-  take_same_points(transfer);
+  take_same_points(transfer, found_[k]);
   return now;
 }
 
-void AxialTransfer::take_same_points(const PointTransfer& t) const {
+void AxialTransfer::take_same_points(const PointTransfer& t, const std::vector<Found>& found) const {
   constexpr double same = 0.02;  // [-] distance between points at the same place, over the size of the cell
-  int guess = old_mesh_.block_elements(t.before.block.block).front();
-  for (int e : mesh_.own_elements(t.after.block.block))
-    for (int q = 0; q < t.after.block.points; ++q) {
-      const Point place = t.after.place(e, q);
-      guess = locator_.find(place, guess).element;
+  const SoilBlock &old_block = t.before.block, &block = t.after.block;
+  const std::vector<int>& own = mesh_.own_elements(block.block);
+  for (int e = 0; e < block.elements; ++e)
+    for (int q = 0; q < block.points; ++q) {
+      const int there = found[e * block.points + q].place.element;
+      if (old_mesh_.elements()[there].block != old_block.block) continue;
+      const Point place = t.after.place(own[e], q);
       Bounds box = Bounds::nothing();
-      enclose(box, old_mesh_.elements()[guess], x_old_);
+      enclose(box, old_mesh_.elements()[there], x_old_);
       const double near = same * std::min(box.high[0] - box.low[0], box.high[1] - box.low[1]);
-      const std::size_t row = mesh_.first_row(e, t.after.block.points) + q,
-                        first = old_mesh_.first_row(guess, t.before.block.points);
-      for (int k = 0; k < t.before.block.points; ++k)
-        if (distance(place, t.before.place(guess, k)) < near)
+      const std::size_t row = mesh_.first_row(own[e], block.points) + q,
+                        first = old_mesh_.first_row(there, old_block.points);
+      for (int k = 0; k < old_block.points; ++k)
+        if (distance(place, t.before.place(there, k)) < near)
           std::copy_n(&t.old[(first + k) * t.columns], t.columns, &t.now[row * t.columns]);
     }
 }
@@ -180,12 +192,11 @@ void AxialTransfer::transfer_points(const StateStore& old_store, StateStore& sto
     for (int old : counterparts_[k]) {
       const SoilBlock& old_block = from_.soil.blocks[old];
       const SoilTable table = SoilTable::of(old_store, old_block);
-      const std::vector<double> fields = fields_at(old_block, block, table, old_store);
-      Found guess;
+      const std::vector<double> fields = fields_at(old, k, table, old_store);
       for (int e = 0; e < block.elements; ++e)
         for (int q = 0; q < block.points; ++q) {
+          if (found_[k][e * block.points + q].block != old) continue;
           const Point place = Recovery::position(mesh_.elements()[own[e]], block, q, x_);
-          if (find(static_cast<int>(k), place, guess).block != old) continue;
           const std::size_t row = mesh_.first_row(own[e], block.points) + q;
           write_point(old_block, block, place, &fields[row * table.columns], table, e * block.points + q, to);
         }

@@ -55,12 +55,13 @@ class AxialTransfer {
   /// Finds a place in the soil that corresponds to a new block; `guess`: that of the place before, changed.
   Found find(int block, const Point& in_space, Found& guess) const;
   void check_laws() const;
+  /// Finds the places of all points.
+  void find_points();
   void measure_fit();
-  /// All point data of an old block at the points of a new one, by row of its ghosted mesh.
-  std::vector<double> fields_at(const SoilBlock& old_block, const SoilBlock& block, const SoilTable& table,
-                                const StateStore& old_store) const;
+  /// All point data of an old block at the points of a new one, by their indices, by row of its ghosted mesh.
+  std::vector<double> fields_at(int old, std::size_t k, const SoilTable& table, const StateStore& old_store) const;
   /// Points that stand where old ones do take the values of these, which are in balance.
-  void take_same_points(const PointTransfer& transfer) const;
+  void take_same_points(const PointTransfer& transfer, const std::vector<Found>& found) const;
   /// Writes a row of such fields to a point of the new model.
   void write_point(const SoilBlock& old_block, const SoilBlock& block, const Point& place, const double* values,
                    const SoilTable& table, int row, State& to) const;
@@ -71,6 +72,7 @@ class AxialTransfer {
   const Positions x_old_, x_;
   const PointLocator locator_;
   std::vector<std::vector<int>> counterparts_;  // (new block) old blocks of its region
+  std::vector<std::vector<Found>> found_;       // (new block, row) of this rank's points
   std::unique_ptr<const NodalRemap> nodal_;
   Fit fit_;
 };

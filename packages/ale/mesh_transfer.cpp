@@ -130,15 +130,6 @@ void MeshTransfer::transfer_block(std::size_t k, const StateStore& old_store, co
   const Remap& remap = moved() ? ale_.remap() : recovery_;
   // all of the block's point data in one table: points are located and patches fitted once
   SoilTable columns = SoilTable::of(store, b);
-  const auto each = [&](const auto& visit) {
-    int column = 0;
-    for (int handle = 0; handle < store.num_arrays(); ++handle) {
-      const ArrayInfo& info = store.info(handle);
-      if (info.block == b.block)
-        for (std::size_t c = 0; c < to.arrays[handle].extent(1); ++c, ++column)
-          visit(handle, static_cast<int>(c), column);
-    }
-  };
   const PointRules rules(columns.variables);
   std::vector<double> old =
       before.mesh.gather_points(b_old.block, b_old.points, SoilTable::rows(old_store, old_state, b_old));
@@ -167,13 +158,16 @@ void MeshTransfer::transfer_block(std::size_t k, const StateStore& old_store, co
       if (column != columns.void_ratio) restore_grains(transfer, soil, column, columns.origin);
   }
   const std::vector<int>& own = after.mesh.own_elements(b.block);
-  each([&](int handle, int c, int column) {
+  int column = 0;
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    if (store.info(handle).block != b.block) continue;
     const PointView& rows = to.arrays[handle];
-    for (int e = 0; e < b.elements; ++e)
-      for (int q = 0; q < b.points; ++q)
-        rows(e * b.points + q, c) =
-            now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns.columns + column];
-  });
+    for (std::size_t c = 0; c < rows.extent(1); ++c, ++column)
+      for (int e = 0; e < b.elements; ++e)
+        for (int q = 0; q < b.points; ++q)
+          rows(e * b.points + q, c) =
+              now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns.columns + column];
+  }
   if (b.origin >= 0)
     for (int row = 0; row < b.elements * b.points; ++row)  // the material's number, whose remap left rounding errors
       to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));

@@ -21,7 +21,7 @@ void PointRows::declare_state(StateStore& store, const std::string& prefix,
                               const std::vector<StateVariable>& more, bool friction, bool multipliers) {
   axes_ = axes;
   shears_ = axes == 2 ? 1 : 3;
-  more_ = 4 + axes;
+  more_ = area_column(axes) + 1;
   Columns points = {{"gap", 1, "m"}, {"pressure", 1, "Pa"}, {"active", 1, "-", Transfer::nearest}};
   add_components(points, "force", axes_, "N", Transfer::total);
   points.push_back({"area", 1, "m2", Transfer::total});
@@ -54,23 +54,24 @@ void PointRows::put(const PointView& rows, int row, int first, int components, c
 void PointRows::write(const State& trial, int row, const ContactPoint& point) const {
   const PointView& rows = trial.arrays[points_];
   rows(row, 0) = point.gap;
-  rows(row, 1) = point.pressure;
+  rows(row, pressure_column) = point.pressure;
   rows(row, 2) = point.active;
   put(rows, row, 3, axes_, point.force);
-  rows(row, more_ - 1) = point.area;
+  rows(row, area_column(axes_)) = point.area;
   if (frictions_ < 0) return;
   const PointView& frictions = trial.arrays[frictions_];
   put(frictions, row, 0, shears_, point.shear.shear);
-  frictions(row, shears_) = point.shear.slip;
+  frictions(row, slip_column(shears_)) = point.shear.slip;
   frictions(row, shears_ + 1) = point.shear.dissipated;
   frictions(row, shears_ + 2) = point.shear.slides;
-  put(frictions, row, shears_ + 3, axes_, point.friction);
+  put(frictions, row, force_column(shears_), axes_, point.friction);
 }
 
 ShearState PointRows::shear(const State& state, int row) const {
   if (frictions_ < 0) return {};
   const PointView& rows = state.arrays[frictions_];
-  return {vector(rows, row, 0, shears_), rows(row, shears_), rows(row, shears_ + 1), rows(row, shears_ + 2) > 0};
+  return {vector(rows, row, 0, shears_), rows(row, slip_column(shears_)), rows(row, shears_ + 1),
+          rows(row, shears_ + 2) > 0};
 }
 
 bool PointRows::sticks(const State& state, int row) const {
@@ -78,7 +79,7 @@ bool PointRows::sticks(const State& state, int row) const {
 }
 
 Point PointRows::friction(const State& state, int row) const {
-  return frictions_ < 0 ? Point{} : vector(state.arrays[frictions_], row, shears_ + 3, axes_);
+  return frictions_ < 0 ? Point{} : vector(state.arrays[frictions_], row, force_column(shears_), axes_);
 }
 
 }  // namespace mudline

@@ -29,10 +29,10 @@ class PointRows {
   void write(const State& trial, int row, const ContactPoint& point) const;
 
   double gap(const State& state, int row) const { return state.arrays[points_](row, 0); }
-  double pressure(const State& state, int row) const { return state.arrays[points_](row, 1); }
+  double pressure(const State& state, int row) const { return state.arrays[points_](row, pressure_column); }
   bool active(const State& state, int row) const { return state.arrays[points_](row, 2) > 0; }
   Point force(const State& state, int row) const { return vector(state.arrays[points_], row, 3, axes_); }
-  double area(const State& state, int row) const { return state.arrays[points_](row, more_ - 1); }
+  double area(const State& state, int row) const { return state.arrays[points_](row, area_column(axes_)); }
   /// Further columns of a row, in the order in which they were declared.
   double* more(const State& state, int row) const { return &state.arrays[points_](row, more_); }
 

@@ -294,12 +294,12 @@ void Checkpoint::read(Model& model, const ExcessPressure& pressure, Progress& pr
       throw InputError(path_ + ": " + error.what());
     }
   });
-  const char* const used = use_ == For::restart ? "restart" : use_ == For::start ? ": start" : ": state";
-  log::info(
-      (use_ == For::restart ? "" : path_) + used + " at t = " + std::to_string(model.store().committed().time) + " s" +
-      (use_ == For::state
-           ? ""
-           : ", step " + std::to_string(progress.step) + ", stage '" + model.stages()[progress.stage]->name + "'"));
+  const std::string time = std::to_string(model.store().committed().time) + " s",
+                    place = ", step " + std::to_string(progress.step) + ", stage '" +
+                            model.stages()[progress.stage]->name + "'";
+  if (use_ == For::restart) log::info("restart at t = " + time + place);
+  if (use_ == For::start) log::info(path_ + ": start at t = " + time + place);
+  if (use_ == For::state) log::info(path_ + ": state at t = " + time);
 }
 
 void Checkpoint::refuse_or_warn(const std::string& difference) const {

@@ -54,11 +54,19 @@ RunStart RunStart::read(const Section& section, const std::string& own_stem) {
   return start;
 }
 
-RunStart RunStart::named(const Section& section, const std::string& entry, const std::string& from) {
+RunStart RunStart::named(const std::string& from) {
   const std::size_t at = from.rfind('@');
   if (at == std::string::npos || at == 0 || at + 1 == from.size())
-    section.fail("expected results and a stage, 'results/pile@push', given '" + from + "'", entry);
+    throw InputError("expected results and a stage, 'results/pile@push', given '" + from + "'");
   return RunStart::at(from.substr(0, at), from.substr(at + 1));
+}
+
+RunStart RunStart::named(const Section& section, const std::string& entry, const std::string& from) {
+  try {
+    return named(from);
+  } catch (const InputError& error) {
+    section.fail(error.what(), entry);
+  }
 }
 
 RunStart RunStart::at(const std::string& stem, const std::string& stage) {
@@ -74,12 +82,15 @@ bool RunStart::exists() const {
   return fs::exists(checkpoint_, ignored);
 }
 
-void RunStart::find(const Section& section, const std::string& entry) const {
-  if (checkpoint_.empty() || exists()) return;
+std::string RunStart::missing() const {
+  if (checkpoint_.empty() || exists()) return "";
   const std::vector<std::string> stages = checkpointed_stages(stem_);
-  if (stages.empty()) section.fail("there are no results '" + stem_ + "' with the end of a stage", entry);
-  section.fail("the results '" + stem_ + "' have no end of a stage '" + stage_ + "'" + suggestion(stage_, stages),
-               entry);
+  if (stages.empty()) return "there are no results '" + stem_ + "' with the end of a stage";
+  return "the results '" + stem_ + "' have no end of a stage '" + stage_ + "'" + suggestion(stage_, stages);
+}
+
+void RunStart::find(const Section& section, const std::string& entry) const {
+  if (const std::string why = missing(); !why.empty()) section.fail(why, entry);
 }
 
 }  // namespace mudline

@@ -11,13 +11,16 @@ class RunStart {
  public:
   /// `own_stem`: of the names of this run's files. InputError where the other results are this run's own.
   static RunStart read(const Section& section, const std::string& own_stem);
-  /// The end of a stage that an entry of the section names, 'results/pile@push'. InputError there.
+  /// The end of a stage that a text names, 'results/pile@push'. InputError, in the second form at that entry.
+  static RunStart named(const std::string& from);
   static RunStart named(const Section& section, const std::string& entry, const std::string& from);
   /// The end of a stage of the run whose files begin with `stem`.
   static RunStart at(const std::string& stem, const std::string& stage);
   /// Looks for the checkpoint. InputError at the entry of `section` where there is none.
   void find(const Section& section, const std::string& entry = "from") const;
   bool exists() const;
+  /// Why there is no checkpoint, or "".
+  std::string missing() const;
   void parameters(Parameters& p);
 
   /// The checkpoint to go on from; "": the run starts anew.

@@ -30,23 +30,23 @@ class Curve:
     def history(self, gamma):
         """Shear stress along a path of strain from zero: Masing; an inner loop is forgotten when it closes."""
         turns, stress, last, sign = [], [0.0], 0.0, 0
-        for now in gamma[1:]:
-            way = np.sign(now - last)
+        for strain in gamma[1:]:
+            way = np.sign(strain - last)
             if way and sign and way != sign:
                 turns.append((last, stress[-1]))
             sign = way or sign
             while turns:
                 start, at = turns[-1]
                 size = abs(turns[-2][0] - start) if len(turns) > 1 else 2 * abs(start)
-                if abs(now - start) <= size * (1 + 1e-12):
+                if abs(strain - start) <= size * (1 + 1e-12):
                     break
                 turns = turns[:-2] if len(turns) > 1 else []
             if turns:
                 start, at = turns[-1]
-                stress.append(at + np.sign(now - start) * 2 * self.first(0.5 * abs(now - start)))
+                stress.append(at + np.sign(strain - start) * 2 * self.first(0.5 * abs(strain - start)))
             else:
-                stress.append(np.sign(now) * self.first(abs(now)))
-            last = now
+                stress.append(np.sign(strain) * self.first(abs(strain)))
+            last = strain
         return np.array(stress)
 
     def damping(self, amplitude):
