@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "contact/conjugate_position.hpp"
 #include "tensor/midpoint_rule.hpp"
@@ -131,6 +133,7 @@ int PointContact::evaluate(const StepView& view, bool tangent, const Take& take)
         action.open(axes() * side.count, target_->num_dofs(place.piece), pressures);
         open = here;
       }
+      acting.turned = tangent && turned(*view.trial, row);
       PointInStep point{acting, water, candidates_[s], capture_, x_old, x_end, points.place(c, before), at, out};
       point.old = history(view, s, row, point.place_old);
       point.area = areas.now[c];
@@ -231,6 +234,7 @@ void PointContact::add_heat(const StepView& view, const ResidualView& f) const {
 void PointContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
   const MatrixScatter to = assembler.scatter(pairs_.group());
   const double moved = conserves(view) ? view.impact.conjugate : 1.0;
+  if (view.linearisation == 0) slid_.assign(laws_.friction() ? first_row_.back() : 0, Point{});
   evaluate(view, true, [&](std::size_t, int entry, SideAction& action) {
     const int dofs = action.dofs(), first = action.first_pressure();
     for (int a = 0; a < first; ++a)
@@ -238,6 +242,13 @@ void PointContact::jacobian(const StepView& view, Assembler& assembler, double w
     to.add(entry, dofs, action.k);
   });
   if (leak_) leak_->jacobian(view, assembler);
+}
+
+bool PointContact::turned(const State& trial, int row) {
+  if (slid_.empty()) return false;
+  const ShearState now = rows_.shear(trial, row);
+  const Point before = std::exchange(slid_[row], now.slides ? now.shear : Point{});
+  return std::inner_product(before.begin(), before.end(), slid_[row].begin(), 0.0) < 0;
 }
 
 void PointContact::leave(const StepView& view, std::size_t side, int row, double gap) {

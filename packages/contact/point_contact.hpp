@@ -156,6 +156,8 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   void write(const State& trial, int row, const TargetPlace& place, const ContactPoint& point) const;
   /// Writes a point that sees nothing of the target. Its gap is the capture distance, which is a lower bound.
   void write_away(const StepView& view, int row) const;
+  /// Whether a point slides against the direction in which it slid at the linearisation before; notes its own.
+  bool turned(const State& trial, int row);
   /// Corrects the old force of a point that pressed at the start of the step on another piece than now, at this gap: it
   /// acts with its share, not with the integrator's weight.
   void leave(const StepView& view, std::size_t side, int row, double gap);
@@ -170,6 +172,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   PartParameters& parts_;
   std::string set_;  // side set of the surface
   bool predicting_ = false;
+  std::vector<Point> slid_;  // [Pa] by row: shear stress at the last linearisation of the step, of points that slid
   PairDofs pairs_;                             // of sides and pieces of the target, in the order of SideAction
   std::vector<std::pair<int, double>> later_;  // (dof, force) of the last residual call, at the alpha level
 

@@ -5,32 +5,46 @@
 #include <NOX_LineSearch_Generic.H>
 #include <NOX_LineSearch_UserDefinedFactory.H>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "integrator/nox_interface.hpp"
 
 namespace mudline {
 
-/// Full Newton steps, halved where the residual cannot be evaluated (a folded element, a soil law that fails) and, if a
-/// largest growth is given, where it grows by more than that while it is large, or oscillates near the end. The growth
-/// limit is optional: residuals may rise in iterations with contact and friction, where a line search that requires
-/// descent would take tiny steps.
+/// Full Newton steps, shortened where one of these is seen:
+/// - the residual cannot be evaluated (a folded element, a soil law that fails): halved;
+/// - a largest growth is given, and the residual grows by more than that while it is large, or oscillates near the end:
+///   halved. The limit is optional: residuals may rise in iterations with contact and friction, where a line search
+///   that requires descent would take tiny steps;
+/// - full steps alternate between two states of contact or yielding: half a step leads to the state between both;
+/// - after some iterations the residual is still large, and the step goes far beyond the place where what is out of
+///   balance does no work along it: cut to that place, as a secant finds it. Elastic-plastic soil stores energy or
+///   takes it, so the work falls along a step, and the place is that of the least energy.
 class GuardedStep : public NOX::LineSearch::Generic {
  public:
   GuardedStep(double largest_growth, int halvings) : largest_growth_(largest_growth), halvings_(halvings) {}
   bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                const NOX::Solver::Generic& solver) override {
-    const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
+    const auto& old = dynamic_cast<const NoxGroup&>(solver.getPreviousSolutionGroup());
+    auto& at = dynamic_cast<NoxGroup&>(group);
+    // all norms are relative to what acts at the new iterate
+    norms_.push_back(old.getNormF());
     step = 1;
+    bool cut = false;
     for (int halving = 0;; ++halving, step *= 0.5) {
-      group.computeX(old, direction, step);
-      const bool evaluated = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
-      // both norms are relative to what acts at the new iterate
-      const double now = evaluated ? group.getNormF() : 0.0, before = old.getNormF();
-      const bool cycles = solver.getNumIterations() >= patience_ && now > before;
-      const bool tame =
-          evaluated && (largest_growth_ == 0 || (now <= near_ ? !cycles : now <= largest_growth_ * before));
-      if (tame || halving == halvings_) return true;
+      at.computeX(old, direction, step);
+      const bool evaluated = at.computeF() == NOX::Abstract::Group::Ok && std::isfinite(at.getNormF());
+      if (halving == halvings_) return true;
+      if (!evaluated || (step == 1 && alternates(at.getNormF()))) continue;
+      const double share = cut ? 1 : share_without_work(old, at, direction);
+      if (share < 1) {
+        cut = true;
+        step *= 2 * share;  // and is halved
+      } else if (tame(at.getNormF())) {
+        return true;
+      }
     }
   }
 
@@ -51,8 +65,35 @@ class GuardedStep : public NOX::LineSearch::Generic {
   // they are taken to oscillate between two states, and half a step is closer to both.
   static constexpr double near_ = 100;
   static constexpr int patience_ = 6;
+
+  int iterations() const { return static_cast<int>(norms_.size()); }
+
+  /// Whether the residual has not grown too much.
+  bool tame(double now) const {
+    if (largest_growth_ == 0) return true;
+    const double before = norms_.back();
+    return now <= near_ ? iterations() < patience_ || now <= before : now <= largest_growth_ * before;
+  }
+  /// Whether the residual of the new iterate and that of the one before repeat those of two iterations before, and are
+  /// large.
+  bool alternates(double now) const {
+    constexpr double same = 0.01;
+    const std::size_t n = norms_.size();
+    if (n < 3 || !(now > near_)) return false;
+    return std::abs(now - norms_[n - 2]) <= same * now && std::abs(norms_[n - 1] - norms_[n - 3]) <= same * now;
+  }
+  /// Share of the step at whose end no work is done along it, if the step is to be cut there; else 1.
+  double share_without_work(const NoxGroup& old, const NoxGroup& now, const NOX::Abstract::Vector& direction) const {
+    constexpr int full_steps = 4;                // at least
+    constexpr double beyond = 0.5, least = 0.1;  // work at the end over that at the start, from which the step is cut
+    if (iterations() <= full_steps || !(now.getNormF() > near_)) return 1;
+    const double start = old.work(direction), end = now.work(direction);
+    return start < 0 && end > -beyond * start ? std::max(start / (start - end), least) : 1;
+  }
+
   double largest_growth_;
   int halvings_;
+  std::vector<double> norms_;  // of the residuals of all iterates so far
 };
 
 }  // namespace mudline

@@ -161,6 +161,10 @@ class NoxGroup : public NOX::Abstract::Group {
     for (double r : shared_->problem->residual_ratios(f_.get())) sum += r * r;
     return std::sqrt(sum);
   }
+  /// Work [J] that the forces out of balance do on a motion, see NonlinearProblem.
+  double work(const NOX::Abstract::Vector& direction) const {
+    return shared_->problem->work(f_.get(), NoxVector::of(direction));
+  }
   const NOX::Abstract::Vector& getGradient() const override { return gradient_; }
   const NOX::Abstract::Vector& getNewton() const override { return newton_; }
   RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(x_); }

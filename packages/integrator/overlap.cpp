@@ -9,9 +9,9 @@ namespace mudline {
 namespace {
 
 template <class View>
-struct Squares {
-  View values;
-  KOKKOS_FUNCTION void operator()(int i, double (&sum)[1]) const { sum[0] += values(i) * values(i); }
+struct Products {
+  View a, b;
+  KOKKOS_FUNCTION void operator()(int i, double (&sum)[1]) const { sum[0] += a(i) * b(i); }
 };
 
 }  // namespace
@@ -55,17 +55,21 @@ NodalView sum_overlap(const DofMap& dofs, const NodalView& overlap) {
   return result;
 }
 
-std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v) {
-  std::vector<double> squares(dofs.num_fields(), 0.0);
+std::vector<double> owned_field_products(const DofMap& dofs, const Vector& a, const Vector& b) {
+  std::vector<double> sums(dofs.num_fields(), 0.0);
   {
-    const auto data = entries(v, Tpetra::Access::ReadOnly);
+    const auto one = entries(a, Tpetra::Access::ReadOnly), other = entries(b, Tpetra::Access::ReadOnly);
     for (int f = 0; f < dofs.num_fields(); ++f)
-      squares[f] = ordered_sum<1>("squares", dofs.owned_begin(f), dofs.owned_end(f),
-                                  Squares<std::remove_const_t<decltype(data)>>{data})[0];
+      sums[f] = ordered_sum<1>("products", dofs.owned_begin(f), dofs.owned_end(f),
+                               Products<std::remove_const_t<decltype(one)>>{one, other})[0];
   }
-  squares = sum_over_ranks(*dofs.comm(), squares);
-  for (double& s : squares) s = std::sqrt(s);
-  return squares;
+  return sum_over_ranks(*dofs.comm(), sums);
+}
+
+std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v) {
+  std::vector<double> norms = owned_field_products(dofs, v, v);
+  for (double& s : norms) s = std::sqrt(s);
+  return norms;
 }
 
 namespace {

@@ -24,6 +24,8 @@ Vector owned_part(const DofMap& dofs, const NodalView& overlap);
 void export_overlap(const DofMap& dofs, const NodalView& overlap, Vector& owned);
 /// Sum of all ranks' contributions, ghost copies filled. Collective.
 NodalView sum_overlap(const DofMap& dofs, const NodalView& overlap);
+/// Scalar products of the owned entries of each field over all ranks. Collective.
+std::vector<double> owned_field_products(const DofMap& dofs, const Vector& a, const Vector& b);
 /// Two-norms of the owned entries of each field over all ranks. Collective.
 std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v);
 

@@ -352,6 +352,14 @@ void StepSystem::observe(double worst) {
     for (const double limit : convergence_.limits()) enough_.push_back(share * worst * limit);
 }
 
+double StepSystem::work(const Vector& f, const Vector& dx) {
+  const std::vector<double> by_field = owned_field_products(*space_.dofs(), f, dx);
+  double sum = 0;
+  for (int field = 0; field < space_.num_fields(); ++field)
+    sum += space_.field(field).time_order == 2 ? by_field[field] : 0;
+  return sum;
+}
+
 Vector StepSystem::begin(const StepRequest& request, const StepTolerances& tolerances) {
   convergence_.begin_step(tolerances);
   linear_iterations_ = factorisations_ = 0;

@@ -117,6 +117,7 @@ class StepSystem : public NonlinearProblem {
   }
   std::string place_of_largest(const Vector& f) const override { return convergence_.place_of_largest(f); }
   bool at_rounding() const override { return convergence_.at_rounding(); }
+  double work(const Vector& f, const Vector& dx) override;
   void observe(double worst) override;
 
  private:

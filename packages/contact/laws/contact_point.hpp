@@ -31,6 +31,9 @@ struct ContactPointLaw {
   bool conserves = false;     // points exert the shares of start_share() and end_share() instead
   double impact_damping = 0;  // [-] damping in those shares
   double viscous = 0;         // [s/m] coefficient of damping; 0: none
+  /// The point slides against the direction in which it slid at the linearisation before: between both it may stick.
+  /// Its tangent is then that of a spring that bears the present shear stress (a secant).
+  bool turned = false;
   bool film = false;  // the normal law gives the effective pressure, and water between the surfaces acts beside it
 };
 
@@ -165,7 +168,7 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, 
   if (!out.slides) return;
   const T limit = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope) +
                   change(point.pore_pressure, strength.pore_slope);
-  out.shear = along(out.shear, limit);
+  out.shear = law.turned ? out.shear * (limit / value(magnitude(out.shear))) : along(out.shear, limit);
   out.slip = excess / stiffness;
   out.heat = std::abs(value(limit)) * out.slip * value(point.area);
 }

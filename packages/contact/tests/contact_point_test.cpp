@@ -170,6 +170,27 @@ TEST(ContactPoint, HasStiffnessButNoForceWhereSurfacesMeet) {
   EXPECT_EQ(now.pressure.d[0], -1e6);
 }
 
+TEST(ContactPoint, WhatTurnedHasTheStiffnessOfASecant) {
+  ContactPointLaw law;
+  ContactMotion<double> m;
+  usual(law, m);
+  m.travel = 0.02;
+  m.shear_old = 0;
+  using Number = Dual<1>;
+  const auto shear = [&](bool turned) {
+    law.turned = turned;
+    ContactMotion<Number> seeded;
+    seeded.gap = m.gap;
+    seeded.travel = Number(m.travel, 0);
+    seeded.pore_pressure = m.pore_pressure;
+    return respond<Number, 2>(law, seeded).shear;
+  };
+  const Number along = shear(false), turned = shear(true);
+  EXPECT_DOUBLE_EQ(turned.v, along.v);
+  EXPECT_LT(turned.v, 0);
+  EXPECT_NEAR(turned.d[0] - along.d[0], turned.v / m.travel, 1e-9 * std::abs(turned.d[0]));
+}
+
 TEST(ContactPoint, HeatIsShearTimesSlip) {
   ContactPointLaw law;
   ContactMotion<double> m;

@@ -113,9 +113,39 @@ double growth_slope(double x) { return std::exp(x); }
 double root(double x) { return std::copysign(std::sqrt(std::abs(x)), x); }
 double root_slope(double x) { return 0.5 / std::sqrt(std::abs(x)); }
 
-TEST(Newton, WhatGoesToAndFroIsGivenUp) {
+double jump(double x) { return x > 0 ? 1 : -1; }
+double half(double) { return 0.5; }
+
+TEST(Newton, HalfAStepLeadsBetweenTwoStates) {
   // full steps alternate between x and -x
   Scalar problem(root, root_slope);
+  const NewtonReport report = solve(problem, "", 3);
+  EXPECT_TRUE(report.converged) << report.reason;
+  EXPECT_EQ(report.iterations, 3);
+  EXPECT_NEAR(problem.visited.back(), 0, 1e-15);
+}
+
+/// A spring: the work of its force is known.
+class Spring : public Scalar {
+ public:
+  using Scalar::Scalar;
+  double work(const Vector& f, const Vector& dx) override { return value(f) * value(dx); }
+};
+
+TEST(Newton, AStepEndsWhereNoWorkIsDone) {
+  // full steps from 1.4 go farther each time; after four of them a secant finds the way back
+  Spring problem(arctangent, arctangent_slope);
+  const NewtonReport report = solve(problem, "", 1.4);
+  EXPECT_TRUE(report.converged) << report.reason;
+  EXPECT_NEAR(problem.visited[4], 1.8471, 1e-4);
+  EXPECT_LT(std::abs(problem.visited.back()), 1e-6);
+  Scalar unknown(arctangent, arctangent_slope);
+  EXPECT_FALSE(solve(unknown, parameter("damped retry", "bool", "false"), 1.4).converged);
+}
+
+TEST(Newton, WhatGoesToAndFroIsGivenUp) {
+  // the state between the two is not better
+  Scalar problem(jump, half);
   const NewtonReport report = solve(problem, "", 3);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 3);
@@ -123,7 +153,7 @@ TEST(Newton, WhatGoesToAndFroIsGivenUp) {
   // without a damped retry all iterations are used
   for (const std::string& alone :
        {parameter("damped retry", "bool", "false"), parameter("largest growth", "double", "1.2")}) {
-    Scalar again(root, root_slope);
+    Scalar again(jump, half);
     EXPECT_EQ(solve(again, alone, 3).iterations, 15) << alone;
   }
 }
