@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""docs/user_guide.md and the program agree: every law of the soil is named in the section on materials, and every column that the guide
-documents is one of a shipped deck's history (as the golden histories keep it).
+"""The user guide, with its pages on bodies, contact and mesh motion, and the program agree: every law of the soil is named
+in the section on materials, and every column that they document is one of a shipped deck's history (as the golden
+histories keep it).
 
     check_guide.py PROGRAM ROOT     prints what is missing and ends with 1 if anything is
 """
@@ -10,6 +11,7 @@ import subprocess
 import sys
 
 COLUMN = re.compile(r"(body|contact|balance|mesh|mesh motion|probe|reaction|step)/")
+PAGES = ("bodies.md", "contact.md", "mesh_motion.md")
 ESTIMATE = re.compile(r"(^mesh/.*| )error$")  # columns of the error estimate, which tests/verification/error looks at
 
 
@@ -49,7 +51,8 @@ def main():
     materials = re.search(r"^## 4\. Materials$.*?(?=^## )", guide, re.DOTALL | re.MULTILINE).group()
     missing = [f"section 4 does not name the law `{law}`" for law in laws(program) if f"`{law}`" not in materials]
     columns = recorded_columns(root)
-    whole, parts = documented(guide)
+    pages = [(root / "docs" / page).read_text(encoding="utf-8") for page in PAGES]
+    whole, parts = documented("\n\n".join([guide, *pages]))
     missing += [f"no shipped deck's history has the column `{word}`" for word in sorted(whole)
                 if not ESTIMATE.search(word) and not matches(word, columns, "")]
     missing += [f"no shipped deck's history has a column that ends with `{word}`" for word in sorted(parts) if not matches(word, columns, ".*/")]
