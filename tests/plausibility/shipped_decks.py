@@ -3,7 +3,7 @@ import os
 import pathlib
 import re
 
-from mudline_case import ROOT
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 # how an overlay says in its head what it is laid over: a deck of its folder, or with a path one from inputs
 OVER = re.compile(r"(?:Laid over|Overlay for|to be given after) ([\w/]+)\.xml(?:, after (\w+)\.xml)?")
