@@ -1,6 +1,6 @@
-"""The documentation as a site for a browser, without a network: `./mudline docs` builds it by Sphinx and MyST from the
-Markdown of the repository. A link to what is not there, a missing picture, a formula that cannot be drawn and a page
-that the navigation lacks are warnings, and with `-W` errors.
+"""The documentation as a site for a browser, without a network: `./mudline docs` builds it by Sphinx and MyST from
+the Markdown of the repository. A link to what is not there, a missing picture, a formula that cannot be drawn and a
+page that the navigation lacks are warnings, and with `-W` errors.
 
 Formulas become MathML, which browsers draw by themselves. The search runs in the browser, from files too.
 """
@@ -43,16 +43,17 @@ html_copy_source = html_show_sourcelink = False
 # What stands in the navigation, besides what is found: caption, pages and patterns of pages
 NAVIGATION = [
     ("Start", ["README.md", "docs/where.md", "docs/tutorials/*.md", "docs/gallery.md"]),
-    ("Guide", ["docs/user_guide.md", "docs/bodies.md", "docs/contact.md", "docs/mesh_motion.md", "docs/penetration.md",
-               "docs/output_format.md", "docs/python.md", "docs/decks_from_others.md", "inputs/README.md"]),
+    ("Guide", ["docs/user_guide.md", "docs/bodies.md", "docs/contact.md", "docs/mesh_motion.md",
+               "docs/penetration.md", "docs/output_format.md", "docs/python.md",
+               "docs/decks_from_others.md", "inputs/README.md"]),
     ("Reference", ["docs/parameters.md", "docs/materials.md", "docs/theory.md"]),
     ("Evidence", ["docs/measurements/*.md", "docs/benchmarks/*.md", "docs/reliability.md"]),
     ("Own code", ["docs/developer_guide.md", "docs/physics_in_an_hour.md", "inputs/plugins/*/README.md"]),
     ("Project", ["docs/decisions.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/third_party.md"]),
 ]
 
-# LaTeX that docutils does not know, or takes otherwise, in what it knows: figures count one by one (\frac12, x^10), an
-# accent belongs to one letter (\dot\gamma_0), a prime is raised beside the index
+# LaTeX that docutils does not know, or takes otherwise, in what it knows: figures count one by one (\frac12, x^10),
+# an accent belongs to one letter (\dot\gamma_0), a prime is raised beside the index
 SPELLINGS = [(re.compile(pattern), replacement) for pattern, replacement in (
     (r"\\[bB]ig(?![a-zA-Z])", ""),
     (r"\\mathrel\{([^}]*)\}", r"\1"),

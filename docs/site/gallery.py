@@ -5,14 +5,16 @@ import sys
 
 # Decks whose picture has another name than the deck
 PICTURES = {
-    "cpt/clay_and_sand": "cone_through_layers", "cpt/faceted": "faceted_cone", "footing/tresca_penetration": "strip_penetration",
-    "cpt/guide_tube": "penetration_meshes", "measurements/kaolin": "measured_kaolin", "measurements/kaolin_cone": "measured_kaolin_cone",
-    "measurements/sand": "measured_sand", "pile/clay": "pile", "pile/drainage": "pile_drainage", "pile/deep": "pile_wall",
-    "pile/tapered": "tapered_pile", "torpedo/clay": "torpedo", "space/torpedo": "torpedo_capacity", "torpedo/impact_velocity": "torpedo_depth",
+    "cpt/clay_and_sand": "cone_through_layers", "cpt/faceted": "faceted_cone", "cpt/guide_tube": "penetration_meshes",
+    "footing/tresca_penetration": "strip_penetration", "measurements/kaolin": "measured_kaolin",
+    "measurements/kaolin_cone": "measured_kaolin_cone", "measurements/sand": "measured_sand", "pile/clay": "pile",
+    "pile/deep": "pile_wall", "pile/drainage": "pile_drainage", "pile/tapered": "tapered_pile",
+    "space/torpedo": "torpedo_capacity", "torpedo/clay": "torpedo", "torpedo/impact_velocity": "torpedo_depth",
 }
 
 # What a deck is laid over, where shipped_decks() does not run it as the documents do
-LAID_OVER = {"pile/remeshing": ["pile/clay", "pile/deep"], "torpedo/deep_torpedo": ["torpedo/tresca", "torpedo/remeshing"]}
+LAID_OVER = {"pile/remeshing": ["pile/clay", "pile/deep"],
+             "torpedo/deep_torpedo": ["torpedo/tresca", "torpedo/remeshing"]}
 
 
 def title(text):
@@ -50,7 +52,8 @@ def page(root):
     for name, below in LAID_OVER.items():
         laid_over[name] = [str(root / "inputs" / f"{deck}.xml") for deck in [*below, name]]
     lines, folder = [], ""
-    decks = [path for path in sorted((root / "inputs").rglob("*.xml")) if root / "inputs" / "plugins" not in path.parents]
+    decks = [path for path in sorted((root / "inputs").rglob("*.xml"))
+             if root / "inputs" / "plugins" not in path.parents]
     unknown = set(PICTURES) - {os.path.relpath(path.with_suffix(""), root / "inputs") for path in decks}
     if unknown:
         raise ValueError(f"pictures of decks that are not there: {sorted(unknown)}")

@@ -16,7 +16,8 @@ def without_code(text):
 def anchors(text):
     """The names that headings have on GitHub."""
     found, seen = set(), {}
-    for heading in re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE), re.MULTILINE):
+    text = re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
+    for heading in re.findall(r"^#+ (.*)$", text, re.MULTILINE):
         name = re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
         found.add(f"{name}-{seen[name]}" if name in seen else name)
         seen[name] = seen.get(name, 0) + 1
@@ -37,7 +38,8 @@ def broken(root, files):
                 lines.append(f"{file.relative_to(root)}: there is no file {target}")
             elif name and name not in anchors(place.read_text(encoding="utf-8")):
                 lines.append(f"{file.relative_to(root)}: no heading for {target}")
-        lines += [f"{file.relative_to(root)}: there is no file {path}" for path in PATH.findall(text) if not (root / path).exists()]
+        lines += [f"{file.relative_to(root)}: there is no file {path}" for path in PATH.findall(text)
+                  if not (root / path).exists()]
     return lines
 
 

@@ -8,10 +8,10 @@ import links
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 # What a newcomer asks, and words of the line of docs/where.md that answers
-QUESTIONS = ["depends on depth", "rough a wall", "water table", "start a run from another", "as CSV", "without ParaView", "how long",
-             "step was rejected", "warning means", "N_kt", "units", "signs", "another number of ranks", "remeshing on or off", "Abaqus",
-             "material of my own", "output of my own", "in cycles", "heat", "layers", "after a day", "pull-out capacity", "how exact",
-             "symmetric model", "cite"]
+QUESTIONS = ["depends on depth", "rough a wall", "water table", "start a run from another", "as CSV",
+             "without ParaView", "how long", "step was rejected", "warning means", "N_kt", "units", "signs",
+             "another number of ranks", "remeshing on or off", "Abaqus", "material of my own", "output of my own", "in cycles", "heat", "layers",
+             "after a day", "pull-out capacity", "how exact", "symmetric model", "cite"]
 
 
 class Links(unittest.TestCase):
@@ -24,15 +24,18 @@ class Links(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder).resolve()
             (root / "docs").mkdir()
-            (root / "docs" / "a.md").write_text("# A title: one\n\n# A title: one\n\n[b](b.md) `[c](c.md)`\n\n    [d](d.md)\n")
-            (root / "docs" / "b.md").write_text("[a](a.md#a-title-one) [a](a.md#a-title-one-1) [x](a.md#x) ![p](p.png) [u](https://a.b)\n"
-                                                "`inputs/none.xml` [self](#none)\n")
+            (root / "docs" / "a.md").write_text(
+                "# A title: one\n\n# A title: one\n\n[b](b.md) `[c](c.md)`\n\n    [d](d.md)\n")
+            (root / "docs" / "b.md").write_text(
+                "[a](a.md#a-title-one) [a](a.md#a-title-one-1) [x](a.md#x) ![p](p.png) [u](https://a.b)\n"
+                "`inputs/none.xml` [self](#none)\n")
             self.assertEqual(links.broken(root, links.documents(root)),
-                             ["docs/b.md: no heading for a.md#x", "docs/b.md: there is no file p.png", "docs/b.md: no heading for #none",
-                              "docs/b.md: there is no file inputs/none.xml"])
+                             ["docs/b.md: no heading for a.md#x", "docs/b.md: there is no file p.png",
+                              "docs/b.md: no heading for #none", "docs/b.md: there is no file inputs/none.xml"])
 
     def test_newcomers_find_the_page(self):
-        rows = [line for line in (ROOT / "docs" / "where.md").read_text(encoding="utf-8").splitlines() if line.startswith("| ")]
+        text = (ROOT / "docs" / "where.md").read_text(encoding="utf-8")
+        rows = [line for line in text.splitlines() if line.startswith("| ")]
         for question in QUESTIONS:
             found = [row for row in rows if question in row.split("|")[1]]
             self.assertEqual(len(found), 1, question)

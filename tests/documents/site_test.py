@@ -1,4 +1,4 @@
-"""The documentation for a browser: it builds without a warning, has every deck, a search, and formulas as they are meant."""
+"""The documentation for a browser: it builds without a warning, has every deck, a search, and formulas as meant."""
 import importlib.util
 import os
 import pathlib
@@ -18,8 +18,9 @@ class Site(unittest.TestCase):
     def setUpClass(cls):
         cls.holder = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.holder.name)
-        cls.done = subprocess.run([sys.executable, "-B", "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going", "-j", "auto", "-c", SITE,
-                                   "-d", cls.folder / "doctrees", ROOT, cls.folder / "site"], capture_output=True, text=True)
+        command = [sys.executable, "-B", "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going", "-j", "auto", "-c",
+                   SITE, "-d", cls.folder / "doctrees", ROOT, cls.folder / "site"]
+        cls.done = subprocess.run(command, capture_output=True, text=True)
 
     @classmethod
     def tearDownClass(cls):
@@ -35,7 +36,8 @@ class Site(unittest.TestCase):
 
     def test_the_gallery_has_every_deck(self):
         gallery = self.page("docs/gallery.html")
-        decks = [path for path in (ROOT / "inputs").rglob("*.xml") if ROOT / "inputs" / "plugins" not in path.parents]
+        decks = [path for path in (ROOT / "inputs").rglob("*.xml")
+                 if ROOT / "inputs" / "plugins" not in path.parents]
         self.assertGreater(len(decks), 90)
         for deck in decks:
             self.assertIn(f"inputs/{os.path.relpath(deck, ROOT / 'inputs')}", gallery)
@@ -47,7 +49,8 @@ class Site(unittest.TestCase):
 
     def test_it_needs_no_network(self):
         for page in (self.folder / "site").rglob("*.html"):
-            self.assertNotRegex(page.read_text(encoding="utf-8"), r'<(?:script|img|link)[^>]*(?:src|href)="(?:https?:)?//', page.name)
+            self.assertNotRegex(page.read_text(encoding="utf-8"),
+                                r'<(?:script|img|link)[^>]*(?:src|href)="(?:https?:)?//', page.name)
 
     def test_the_search_finds_the_new_pages(self):
         index = self.page("searchindex.js")
@@ -71,7 +74,8 @@ class Formulas(unittest.TestCase):
         self.assertIn("<msqrt><mn>2</mn></msqrt><mn>3</mn>", self.mathml(r"\sqrt23"))
 
     def test_an_accent_belongs_to_its_letter(self):
-        self.assertRegex(self.mathml(r"\dot\gamma_0"), r"<msub><mrow><mover><mi>γ</mi>.*</mover><mrow></mrow></mrow><mn>0</mn></msub>")
+        self.assertRegex(self.mathml(r"\dot\gamma_0"),
+                         r"<msub><mrow><mover><mi>γ</mi>.*</mover><mrow></mrow></mrow><mn>0</mn></msub>")
 
     def test_a_prime_stands_above_the_index(self):
         self.assertRegex(self.mathml("p'_0"), r"<msubsup><mi>p</mi><mn>0</mn><mo.*>′</mo></msubsup>")
