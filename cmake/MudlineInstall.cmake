@@ -1,4 +1,5 @@
-# `cmake --install`: headers, libraries, program, decks with the examples of plugins, and the CMake package "mudline" for authors of plugins.
+# `cmake --install`: program, documents, decks with the examples of plugins; and, as the component `development`,
+# headers, libraries and the CMake package "mudline" for authors of plugins.
 include(CMakePackageConfigHelpers)
 set(mudline_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mudline)
 
@@ -22,8 +23,8 @@ target_compile_options(mudline_flags INTERFACE "$<INSTALL_INTERFACE:${mudline_cx
 
 get_property(mudline_packages GLOBAL PROPERTY MUDLINE_PACKAGES)
 install(TARGETS ${mudline_packages} mudline_flags mudline_plugin EXPORT mudlineTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mudline
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(DIRECTORY packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mudline COMPONENT development
   FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE PATTERN benchmarks EXCLUDE)
 if(TARGET mudline)
   install(TARGETS mudline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -34,11 +35,19 @@ endif()
 # Without what stands beside an example of a plugin that was built and run in its folder.
 install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/mudline
   PATTERN build EXCLUDE PATTERN results EXCLUDE PATTERN "*.so" EXCLUDE)
+# The documents as they stand in the repository, decks beside them as their links expect.
+install(FILES README.md LICENSE CHANGELOG.md CONTRIBUTING.md CODE_OF_CONDUCT.md CITATION.cff
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN site EXCLUDE PATTERN __pycache__ EXCLUDE)
+file(RELATIVE_PATH mudline_inputs /${CMAKE_INSTALL_DOCDIR} /${CMAKE_INSTALL_DATADIR}/mudline/inputs)
+file(CREATE_LINK ${mudline_inputs} ${PROJECT_BINARY_DIR}/inputs SYMBOLIC)
+install(FILES ${PROJECT_BINARY_DIR}/inputs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-install(EXPORT mudlineTargets NAMESPACE mudline:: DESTINATION ${mudline_config_dir})
+install(EXPORT mudlineTargets NAMESPACE mudline:: DESTINATION ${mudline_config_dir} COMPONENT development)
 configure_package_config_file(cmake/mudlineConfig.cmake.in ${PROJECT_BINARY_DIR}/mudlineConfig.cmake
   INSTALL_DESTINATION ${mudline_config_dir} PATH_VARS CMAKE_INSTALL_BINDIR)
 # Before version 1 the interface may change with every minor version, and a plugin is bound to its build anyway.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/mudlineConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mudlineConfig.cmake ${PROJECT_BINARY_DIR}/mudlineConfigVersion.cmake
-  cmake/MudlineDependencies.cmake DESTINATION ${mudline_config_dir})
+  cmake/MudlineDependencies.cmake DESTINATION ${mudline_config_dir} COMPONENT development)

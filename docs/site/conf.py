@@ -49,7 +49,8 @@ NAVIGATION = [
     ("Reference", ["docs/parameters.md", "docs/materials.md", "docs/theory.md"]),
     ("Evidence", ["docs/measurements/*.md", "docs/benchmarks/*.md", "docs/reliability.md"]),
     ("Own code", ["docs/developer_guide.md", "docs/physics_in_an_hour.md", "inputs/plugins/*/README.md"]),
-    ("Project", ["docs/decisions.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/third_party.md"]),
+    ("Project", ["docs/decisions.md", "CHANGELOG.md", "CONTRIBUTING.md", "CODE_OF_CONDUCT.md",
+                 "docs/third_party.md"]),
 ]
 
 # LaTeX that docutils does not know, or takes otherwise, in what it knows: figures count one by one (\frac12, x^10),

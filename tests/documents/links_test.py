@@ -10,8 +10,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 # What a newcomer asks, and words of the line of docs/where.md that answers
 QUESTIONS = ["depends on depth", "rough a wall", "water table", "start a run from another", "as CSV",
              "without ParaView", "how long", "step was rejected", "warning means", "N_kt", "units", "signs",
-             "another number of ranks", "remeshing on or off", "Abaqus", "material of my own", "output of my own", "in cycles", "heat", "layers",
-             "after a day", "pull-out capacity", "how exact", "symmetric model", "cite"]
+             "another number of ranks", "remeshing on or off", "Abaqus", "material of my own",
+             "output of my own", "in cycles", "heat", "layers", "after a day", "pull-out capacity", "how exact", "symmetric model", "cite"]
 
 
 class Links(unittest.TestCase):
