@@ -35,14 +35,19 @@ endif()
 # Without what stands beside an example of a plugin that was built and run in its folder.
 install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/mudline
   PATTERN build EXCLUDE PATTERN results EXCLUDE PATTERN "*.so" EXCLUDE)
-# The documents as they stand in the repository, decks beside them as their links expect.
+# The documents as they stand in the repository. Decks and documents refer to each other as if they lay side by side.
 install(FILES README.md LICENSE CHANGELOG.md CONTRIBUTING.md CODE_OF_CONDUCT.md CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN site EXCLUDE PATTERN __pycache__ EXCLUDE)
-file(RELATIVE_PATH mudline_inputs /${CMAKE_INSTALL_DOCDIR} /${CMAKE_INSTALL_DATADIR}/mudline/inputs)
-file(CREATE_LINK ${mudline_inputs} ${PROJECT_BINARY_DIR}/inputs SYMBOLIC)
-install(FILES ${PROJECT_BINARY_DIR}/inputs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+function(mudline_install_link name from to)
+  file(RELATIVE_PATH path /${from} /${to}/${name})
+  file(CREATE_LINK ${path} ${PROJECT_BINARY_DIR}/links/${name} SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/links/${name} DESTINATION ${from})
+endfunction()
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/links)
+mudline_install_link(inputs ${CMAKE_INSTALL_DOCDIR} ${CMAKE_INSTALL_DATADIR}/mudline)
+mudline_install_link(docs ${CMAKE_INSTALL_DATADIR}/mudline ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT mudlineTargets NAMESPACE mudline:: DESTINATION ${mudline_config_dir} COMPONENT development)
 configure_package_config_file(cmake/mudlineConfig.cmake.in ${PROJECT_BINARY_DIR}/mudlineConfig.cmake

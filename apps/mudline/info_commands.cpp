@@ -88,9 +88,9 @@ int explain(const std::string& name, const std::string& plugin) {
 std::string shared_file(const std::string& name) {
   std::vector<std::string> places;
   if (const char* given = std::getenv("MUDLINE_SCRIPTS")) places.push_back(given);
-  places.push_back(MUDLINE_SCRIPTS);
   const auto self = std::filesystem::read_symlink("/proc/self/exe");
-  places.push_back((self.parent_path().parent_path() / "share/mudline").string());
+  places.push_back((self.parent_path().parent_path() / "share/mudline").string());  // of an installed program, or none
+  places.push_back(MUDLINE_SCRIPTS);
   for (const std::string& place : places)
     if (std::filesystem::exists(place + "/" + name)) return place + "/" + name;
   throw RunError("a part of mudline is not installed: " + name);

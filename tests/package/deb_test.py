@@ -25,6 +25,8 @@ def call(*command, **more):
 
 @unittest.skipIf(MISSING, f"not installed: {', '.join(MISSING)}")
 class Deb(MudlineCase):
+    maxDiff = None
+
     def test_the_package(self):
         call("cpack", "-G", "DEB", "-B", self.folder, "-D", "CPACK_COMPONENTS_ALL=program",
              cwd=os.environ["MUDLINE_BUILD"])
