@@ -32,8 +32,9 @@ highlight_language = "none"
 suppress_warnings = ["misc.highlighting_failure"]
 
 html_theme = "alabaster"
-html_theme_options = {"description": "large-deformation dynamics of saturated soil", "page_width": "1180px",
-                      "sidebar_width": "270px", "fixed_sidebar": True, "font_size": "16px"}
+html_theme_options = {"description": "large-deformation dynamics of saturated soil", "page_width": "1320px",
+                      "sidebar_width": "270px", "body_max_width": "1000px",
+                      "fixed_sidebar": True, "font_size": "16px"}
 html_static_path = [str(FOLDER / "static")]
 html_css_files = ["site.css"]
 html_math_renderer = "mathml"
