@@ -49,6 +49,9 @@ struct PointCommand {
   std::string png;           // picture of all tests, or of the profile; "" for none
 };
 
+/// Warns, at the end of a command, of the errors that UMATs have reported (STDB_ABQERR); any rank may have some.
+void warn_of_reported_errors();
+
 /// Rank in MPI_COMM_WORLD; 0 where the command runs without MPI.
 int rank();
 /// Reads the files on rank 0; every rank gets the text and the settings. A deck that is 'based on' one of the program's

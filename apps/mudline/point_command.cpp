@@ -234,6 +234,7 @@ int point(const PointCommand& command) {
       complete = false;
     }
   }
+  warn_of_reported_errors();
   if (!command.png.empty()) draw("--point", command.png, files);
   return complete ? 0 : 3;
 }

@@ -18,6 +18,8 @@
 #include "core/told.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
+#include "integrator/overlap.hpp"
+#include "materials/skeleton/umat_utilities.hpp"
 #include "simulation/branch.hpp"
 #include "simulation/old_results.hpp"
 #include "simulation/plugin.hpp"
@@ -125,7 +127,9 @@ ExitCode run_one(Loaded& loaded, const RunCommand& command) {
   watchers.push_back(std::make_unique<StretchWatch>(loaded.plausibility->usual()));
   for (auto& observer : loaded.observers) watchers.push_back(std::move(observer));
   Run run(std::move(loaded.model), on_mesh, loaded.output, origin, options, std::move(watchers));
-  return run.execute();
+  const ExitCode code = run.execute();
+  warn_of_reported_errors();
+  return code;
 }
 
 /// The deck's own run and its branches. All of them are read and checked before the first one begins.
@@ -199,6 +203,11 @@ int dry_run(const Family& family) {
 }
 
 }  // namespace
+
+void warn_of_reported_errors() {
+  const int errors = sum_over_ranks(*Tpetra::getDefaultComm(), take_reported_errors());
+  if (errors > 0) log::warn("UMATs reported errors by STDB_ABQERR: " + std::to_string(errors));
+}
 
 int run(const RunCommand& command) {
   Family family(read_deck(command.deck), result_name(command.deck), command.mesh_parts, command.restart);

@@ -187,22 +187,59 @@ void remember(void* handle, const std::string& path) {
   libraries = k + 1;
 }
 
+/// The symbol that the loader did not find, by its message; "" where it complains of something else.
+std::string missing_symbol(const std::string& message) {
+  const std::string words = "undefined symbol: ";
+  const std::size_t at = message.find(words);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + words.size();
+  return message.substr(begin, message.find_first_of(" ,", begin) - begin);
+}
+
+void* open_library(const std::string& path, int more = 0) {
+  try {
+    return dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | more);
+  } catch (...) {
+    throw std::runtime_error("its initialisation throws: " + fault_thrown());
+  }
+}
+
+/// Loads the library with those of the supplied functions that it lacks; the loader names them one after the other.
+void* load(const std::string& path, const std::vector<SuppliedFunction>& supplied) {
+  std::vector<SuppliedFunction> lacking;
+  for (;;) {
+    const int supply = lacking.empty() ? -1 : supplying_library(path, lacking);
+    if (open_library(supply < 0 ? path : supply_path(supply))) return open_library(path, RTLD_NOLOAD);
+    if (supply >= 0) close(supply);
+    const std::string message = last_line(dlerror()), missing = missing_symbol(message);
+    const auto is_missing = [&](const SuppliedFunction& f) { return f.name == missing; };
+    const auto found = std::find_if(supplied.begin(), supplied.end(), is_missing);
+    if (found != supplied.end() && std::none_of(lacking.begin(), lacking.end(), is_missing)) {
+      lacking.push_back(*found);
+      continue;
+    }
+    if (missing.empty() || supplied.empty()) throw std::runtime_error(message);
+    std::string names;
+    for (const SuppliedFunction& f : supplied) names += (names.empty() ? "" : ", ") + f.name;
+    throw std::runtime_error("it calls '" + missing + "', which it does not have; mudline supplies " + names);
+  }
+}
+
 }  // namespace
 
-ForeignLibrary::ForeignLibrary(const std::string& path) {
+ForeignLibrary::ForeignLibrary(const std::string& path, const std::vector<SuppliedFunction>& supplied) {
   const OpenDescriptors before(true);
   copy_name(path, being_loaded);
   std::fenv_t arithmetic;
   std::fegetenv(&arithmetic);
   try {
-    handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    handle_ = load(path, supplied);
   } catch (...) {
     being_loaded[0] = '\0';
-    throw std::runtime_error("its initialisation throws: " + fault_thrown());
+    throw;
   }
   being_loaded[0] = '\0';
   std::fesetenv(&arithmetic);  // undoes the flush-to-zero mode that loading -ffast-math code sets
-  if (!handle_) throw std::runtime_error(last_line(dlerror()));
   remember(handle_, path);
   check_foreign_code(&before);
 }

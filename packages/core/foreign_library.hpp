@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/symbol_supply.hpp"
+
 namespace mudline {
 
 /// A shared library with foreign code, a plugin or a UMAT. It stays loaded until the program ends; a crash in it is
@@ -12,9 +14,9 @@ namespace mudline {
 class ForeignLibrary {
  public:
   ForeignLibrary() = default;
-  /// Loads the file and runs its static initialisers. Throws std::runtime_error, in one line, where the file cannot be
-  /// loaded or an initialiser throws.
-  explicit ForeignLibrary(const std::string& path);
+  /// Loads the file and runs its static initialisers. Functions that the library lacks are taken from `supplied`.
+  /// Throws std::runtime_error, in one line, where the file cannot be loaded or an initialiser throws.
+  explicit ForeignLibrary(const std::string& path, const std::vector<SuppliedFunction>& supplied = {});
   /// The address of a function; null: the library has none of this name.
   void* function(const std::string& name) const;
 

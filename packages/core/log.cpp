@@ -19,13 +19,15 @@ Settings& settings() {
   return instance;
 }
 
+// Lines are written in one piece, so that those of several ranks do not mix.
+
+bool first_rank() { return settings().rank == 0; }
+
 void print(const std::string& line, Level from) {
-  if (settings().rank == 0 && settings().level >= from) std::cout << printable(line) << std::endl;
+  if (settings().level >= from) std::cout << printable(line) + '\n' << std::flush;
 }
 
-void complain(const char* kind, const std::string& line) {
-  if (settings().rank == 0) std::cerr << kind << printable(line) << std::endl;
-}
+void complain(const char* kind, const std::string& line) { std::cerr << kind + printable(line) + '\n' << std::flush; }
 
 }  // namespace
 
@@ -33,12 +35,24 @@ void configure(int rank, Level level) { settings() = {rank, level}; }
 
 Level level() { return settings().level; }
 
-void info(const std::string& line) { print(line, Level::normal); }
+void info(const std::string& line) {
+  if (first_rank()) info_here(line);
+}
 
-void detail(const std::string& line) { print(line, Level::verbose); }
+void detail(const std::string& line) {
+  if (first_rank()) print(line, Level::verbose);
+}
 
-void warn(const std::string& line) { complain("warning: ", line); }
+void warn(const std::string& line) {
+  if (first_rank()) warn_here(line);
+}
 
-void error(const std::string& line) { complain("error: ", line); }
+void error(const std::string& line) {
+  if (first_rank()) complain("error: ", line);
+}
+
+void info_here(const std::string& line) { print(line, Level::normal); }
+
+void warn_here(const std::string& line) { complain("warning: ", line); }
 
 }  // namespace mudline::log

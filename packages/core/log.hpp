@@ -20,4 +20,8 @@ void warn(const std::string& line);
 /// Writes "error: ..." in the same way, for an error that ends the run.
 void error(const std::string& line);
 
+/// The same as info() and warn(), of whichever rank calls: for what only this rank knows.
+void info_here(const std::string& line);
+void warn_here(const std::string& line);
+
 }  // namespace mudline::log

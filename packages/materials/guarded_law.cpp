@@ -57,6 +57,16 @@ std::string guarded_k0(const Skeleton& law, const InitialPoint& point, double& k
   return std::isfinite(k0) ? "" : "the K0 of its law is not finite; give 'K0'";
 }
 
+std::string guarded_stress(const Skeleton& law, InitialPoint& point) {
+  try {
+    const std::string problem = law.find_stress(point);
+    if (!problem.empty()) return last_line(problem);
+  } catch (...) {
+    return "the initial stress of its law throws: " + fault_thrown();
+  }
+  return finite(point.stress.data(), 6) ? "" : "the initial stress of its law is not finite";
+}
+
 std::string start_guarded(const Skeleton& law, const InitialPoint& point, double* state) {
   ElasticModuli m{};
   try {

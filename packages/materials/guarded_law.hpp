@@ -15,6 +15,9 @@ std::string state_problem(const Skeleton& law);
 /// Calls Skeleton::k0. Returns "" or the problem: it throws or is not finite.
 std::string guarded_k0(const Skeleton& law, const InitialPoint& point, double& k0);
 
+/// Calls Skeleton::find_stress. Returns "" or the problem: its own, it throws, or the stress is not finite.
+std::string guarded_stress(const Skeleton& law, InitialPoint& point);
+
 /// Calls Skeleton::initialise. Returns "" or why the law cannot start: its own reason, an exception, a state that is
 /// not finite, or moduli that are not positive.
 std::string start_guarded(const Skeleton& law, const InitialPoint& point, double* state);

@@ -100,6 +100,7 @@ struct InitialPoint {
   double void_ratio;                     // [-]
   double overconsolidation_ratio = 1.0;  // [-] scales the yield surface through the initial stress
   double height = 0.0;                   // [m] of the position, counted against gravity
+  int element = 0, number = 0;           // of the element and of the point in it, from 1; 0: not known
 };
 
 /// Whether a law has strengths, and can divide them by a factor (SkeletonWorkset::strength_factor).
@@ -118,6 +119,10 @@ class Skeleton {
   }
   /// "" or which number of the law, a function of the place, is out of its range here.
   virtual std::string number_out_of_range(const Point&) const { return ""; }
+  /// Whether the law itself says with which effective stress a point starts (find_stress).
+  virtual bool gives_stress() const { return false; }
+  /// Sets the effective stress of a point at the start, if gives_stress(). Returns "" or the problem.
+  virtual std::string find_stress(InitialPoint&) const { return ""; }
   /// Fills `state` (state_size values). Returns "" or the reason why the law cannot start from this point.
   virtual std::string initialise(const InitialPoint& point, double* state) const = 0;
   /// Whether volume and shear are apart: the mean stress follows the volume strain alone, does not act on stiffness and

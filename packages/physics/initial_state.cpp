@@ -22,9 +22,10 @@ void InitialState::parameters(Parameters& p) {
            {{"stress free", Kind::stress_free},
             {"uniform", Kind::uniform},
             {"geostatic", Kind::geostatic},
+            {"by law", Kind::by_law},
             {"from result", Kind::from_result}},
-           "how the soil starts; from result: with the state in which an axisymmetric run ended a stage, turned into "
-           "space");
+           "how the soil starts; by law: with the stresses that the skeleton law itself gives, as a 'umat' does by "
+           "SIGINI; from result: with the state in which an axisymmetric run ended a stage, turned into space");
   p.add("result", result_,
         "from result: results and the stage at whose end the state is taken, 'results/pile@set-up'; relative to where "
         "the program is started");
@@ -34,12 +35,12 @@ void InitialState::parameters(Parameters& p) {
     if (p.dimension() == 3 || i < 3 || i == 5)
       p.add(names[i], stress_[i], "Pa", any(),
             std::string("uniform start, compression positive") + (i == 3 || i == 4 ? "; in space" : ""));
-  p.add("pore pressure", pressure_, "Pa", any(), "uniform start, compression positive");
+  p.add("pore pressure", pressure_, "Pa", any(), "uniform start or by law, compression positive");
   p.add("surcharge", surcharge_, "Pa", non_negative(),
         "geostatic: vertical load on the surface, beside water that stands above it");
   p.add("water level", water_level_, "m", any(),
-        "geostatic: height of the water surface, counted against gravity; water above it is held by suction. Without "
-        "it the pore pressure is zero");
+        "geostatic or by law: height of the water surface, counted against gravity; water above it is held by suction. "
+        "Without it the pore pressure of a geostatic start is zero");
   has_water_ = p.given("water level");
   p.add("K0", k0_, "-",
         "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
@@ -82,6 +83,12 @@ void InitialState::check(const Section& section) const {
     if (there && given) section.fail("give either this or '" + std::string(given) + "', not both", entry);
     if (there) given = entry;
   }
+  if (kind_ == Kind::by_law)
+    for (const std::string& name : section.parameter_names()) {
+      if (name == "pore pressure" && has_water_) section.fail("give either this or 'water level', not both", name);
+      if (name != "type" && name != "pore pressure" && name != "water level" && name != "overconsolidation ratio")
+        section.fail("with 'type' = 'by law' the law gives the stress", name);
+    }
   if (has_strength_ && kind_ == Kind::stress_free)
     section.fail("without stress there is no overconsolidation; give the strength in 'skeleton'", "undrained strength");
   if (kind_ == Kind::geostatic) return;
@@ -90,6 +97,16 @@ void InitialState::check(const Section& section) const {
     section.fail("only a geostatic start has a vertical stress to add it to", "preoverburden pressure");
   if (has_strength_ratio_)
     section.fail("only a geostatic start has a vertical stress to multiply it with", "undrained strength ratio");
+}
+
+void InitialState::check_laws(const Soil& soil, const Section& section) const {
+  for (const auto& material : soil.materials) {
+    const std::string whose = "the law '" + material->law + "' of material '" + material->name + "' ";
+    if (kind_ == Kind::by_law && !material->skeleton->gives_stress())
+      section.fail(whose + "gives no initial stress; a 'umat' does whose library has a SIGINI", "type");
+    if (kind_ != Kind::by_law && material->skeleton->gives_stress())
+      section.fail(whose + "gives the initial stress (SIGINI); allowed then: 'by law', 'from result'", "type");
+  }
 }
 
 namespace {
@@ -194,19 +211,26 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (kind_ == Kind::from_result) return;
   if (soil.excess && has_water_)
     section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
+  check_laws(soil, section);
   const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);
   if (kind_ == Kind::geostatic && g == 0)
     section.fail("a geostatic start needs gravity: give the physics a 'gravity'", "type");
   State& state = store.committed();
   std::optional<GeostaticColumn> ground;
   if (kind_ == Kind::geostatic) ground = column(soil, g, section);
-  if (kind_ == Kind::geostatic) set_pressure(soil, store, [&](double y) { return ground->pore_pressure(y); });
-  if (kind_ == Kind::uniform) set_pressure(soil, store, [&](double) { return pressure_; });
+  const bool by_law_in_water = kind_ == Kind::by_law && has_water_;
+  if (by_law_in_water && g == 0)
+    section.fail("the pressure of water at rest needs gravity: give the physics a 'gravity'", "water level");
+  if (by_law_in_water) ground.emplace(soil, g, water_level_, section);
+  if (ground) set_pressure(soil, store, [&](double y) { return ground->pore_pressure(y); });
+  if (kind_ == Kind::uniform || (kind_ == Kind::by_law && !has_water_))
+    set_pressure(soil, store, [&](double) { return pressure_; });
   std::string problem;
   bool any_strength = false;
   const bool from_strength = has_strength_ || has_strength_ratio_;
   for (const SoilBlock& b : soil.blocks) {
     const SoilPoints points(soil, b, state);
+    const auto& numbers = soil.space->mesh().blocks()[b.block].global_ids;
     for (int e = 0; e < b.elements; ++e)
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
@@ -214,6 +238,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         InitialPoint point;
         point.position = b.place(e, q, state.coordinates);
         point.height = soil.height(point.position);
+        point.element = static_cast<int>(numbers[e] + 1);
+        point.number = q + 1;
         for (int c = 0; c < 6; ++c) point.stress[c] = -stress_[c];
         point.overconsolidation_ratio = ocr_(0, point.position);
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
@@ -225,6 +251,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
           const double pressure = material.acting(ground->pore_pressure(point.height));
           rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, material);
         }
+        if (kind_ == Kind::by_law) rest = guarded_stress(*material.skeleton, point);
         if (rest.empty()) rest = material.find_void_ratio(point);
         if (b.origin >= 0)
           for (int c = 0; c < static_cast<int>(state.arrays[b.origin].extent(1)); ++c)

@@ -13,6 +13,7 @@ namespace mudline {
 ///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p that of water at rest, a
 ///  suction above the water level; horizontal layers by mesh region and material. The weight follows the void ratio,
 ///  also where that comes from the law.
+///  "by law": stresses that the skeleton laws give; no other start may be given for such a law.
 ///  "from result": that of another run; simulation's ResultStart sets it later.
 class InitialState {
  public:
@@ -20,8 +21,10 @@ class InitialState {
   void apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const;
 
  private:
-  enum class Kind { stress_free, uniform, geostatic, from_result };
+  enum class Kind { stress_free, uniform, geostatic, by_law, from_result };
   void check(const Section& section) const;
+  /// InputError where some laws of the soil, or none, give the stress and the deck says otherwise.
+  void check_laws(const Soil& soil, const Section& section) const;
   /// Sets overconsolidation ratio and stress of a geostatic point under a vertical effective stress [Pa]; returns "" or
   /// the problem.
   std::string at_rest(InitialPoint& point, double vertical, const Point& up, const SoilMaterial& material) const;

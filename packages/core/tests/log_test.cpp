@@ -26,5 +26,16 @@ TEST(Log, LevelsSelectWhatIsPrinted) {
 
 TEST(Log, OtherRanksAreSilent) { EXPECT_EQ(output_of(1, log::Level::debug), ""); }
 
+TEST(Log, EveryRankTellsWhatOnlyItKnows) {
+  log::configure(1, log::Level::normal);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  log::info_here("here");
+  log::warn_here("careful");
+  log::configure(0, log::Level::normal);
+  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(),
+            "here\nwarning: careful\n");
+}
+
 }  // namespace
 }  // namespace mudline

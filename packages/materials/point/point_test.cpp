@@ -65,6 +65,7 @@ void PointTest::begin(const PointSoil& soil, const Section& section) {
     start.fail("contradictory: components of the stress leave no room for 'K0'", "K0");
   initial_.position = start_.place;
   initial_.height = start_.place[section.dimension() - 1];
+  initial_.element = initial_.number = 1;
   initial_.overconsolidation_ratio = start_.ocr;
   if (const std::string problem = soil.skeleton->number_out_of_range(start_.place); !problem.empty())
     start.fail("material '" + soil.name + "': " + problem, "place");

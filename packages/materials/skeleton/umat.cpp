@@ -14,12 +14,13 @@
 #include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
 #include "core/text.hpp"
+#include "materials/skeleton/umat_utilities.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// The Fortran interface; the hidden length of CMNAME comes last (gfortran: size_t).
+/// The Fortran interfaces; the hidden lengths of texts come last (gfortran: size_t).
 using Routine = void (*)(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd,
                          double* rpl, double* ddsddt, double* drplde, double* drpldt, const double* stran,
                          const double* dstran, const double* time, const double* dtime, const double* temp,
@@ -29,6 +30,11 @@ using Routine = void (*)(double* stress, double* statev, double* ddsdde, double*
                          const double* celent, const double* dfgrd0, const double* dfgrd1, const int* noel,
                          const int* npt, const int* layer, const int* kspt, const int* kstep, const int* kinc,
                          std::size_t cmname_length);
+using StateRoutine = void (*)(double* statev, const double* coords, const int* nstatv, const int* ncrds,
+                              const int* noel, const int* npt, const int* layer, const int* kspt);
+using StressRoutine = void (*)(double* sigma, const double* coords, const int* ntens, const int* ncrds, const int* noel,
+                               const int* npt, const int* layer, const int* kspt, const int* lrebar, const char* names,
+                               std::size_t names_length);
 
 // The state begins with the accumulated strain and the deformation gradient, row-major.
 constexpr int strain_size = 6, own_size = strain_size + 9;
@@ -37,8 +43,8 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-/// The arrays of one call. Fortran does not check array bounds, so guards of NaN lie between the arrays: reading there
-/// shows in the result, and writing there is detected. The memory behind them is not accessible.
+/// The arrays of one call, and who makes it. Fortran does not check array bounds, so guards of NaN lie between the
+/// arrays: reading there shows in the result, and writing there is detected. The memory behind them is not accessible.
 class Umat::Arguments {
  public:
   enum Array {
@@ -85,6 +91,8 @@ class Umat::Arguments {
   ~Arguments() { munmap(memory_, bytes_ + behind); }
   Arguments(const Arguments&) = delete;
   Arguments& operator=(const Arguments&) = delete;
+
+  UmatCaller caller;
 
   double* operator[](Array a) { return static_cast<double*>(memory_) + begins_[a]; }
   std::size_t size(Array a) const { return sizes_[a]; }
@@ -135,6 +143,11 @@ void Umat::parameters(Parameters& p) {
   p.add("temperature", temperature_, "degC", any(),
         "TEMP where the model has no temperature; left out: not a number, so that a law that uses it fails");
   if (!p.given("temperature")) temperature_ = unknown;
+  p.choice("stress unit", unit_, {{"Pa", StressUnit::pa}, {"kPa", StressUnit::kpa}, {"MPa", StressUnit::mpa}},
+           "unit of STRESS, DDSDDE and of SIGINI's SIGMA; PROPS, STATEV and what else the subroutine keeps are in the "
+           "units that it wants");
+  scale_ = unit_ == StressUnit::pa ? 1 : unit_ == StressUnit::kpa ? 1e3 : 1e6;
+  dimension_ = p.dimension();
   make_variables();
 }
 
@@ -179,20 +192,63 @@ void Umat::check(const Section& section) {
                    "tensor state");
     free = first + 6;
   }
-  routine_ = guarded(section, "library", "the library cannot be loaded",
-                     [&] { return ForeignLibrary(library_).function(symbol_); });
+  const auto library = guarded(section, "library", "the library cannot be loaded",
+                               [&] { return ForeignLibrary(library_, umat_utilities()); });
+  const std::string file = std::filesystem::path(library_).filename().string();
+  routine_ = library.function(symbol_);
   if (routine_ == nullptr)
-    section.fail("the library '" + std::filesystem::path(library_).filename().string() + "' holds no subroutine '" +
-                     symbol_ + "'; compilers usually write UMAT as umat_",
-                 section.has_parameter("symbol") ? "symbol" : "library");
+    section.fail(
+        "the library '" + file + "' holds no subroutine '" + symbol_ + "'; compilers usually write UMAT as umat_",
+        section.has_parameter("symbol") ? "symbol" : "library");
+  sdvini_ = state_count_ > 0 ? library.function("sdvini_") : nullptr;
+  sigini_ = library.function("sigini_");
+  if (sdvini_ && !initial_state_.empty())
+    section.fail("the SDVINI of the library '" + file + "' gives STATEV at the start; give one of the two",
+                 "initial state");
   arguments_ = std::make_shared<Arguments>(components_, state_count_, static_cast<int>(properties_.size()));
+  arguments_->caller = {name_, file};
 }
 
-std::string Umat::initialise(const InitialPoint&, double* state) const {
+std::string Umat::initialise(const InitialPoint& point, double* state) const {
+  using A = Arguments;
   std::fill(state, state + state_size(), 0.0);
   for (int i = 0; i < 3; ++i) state[strain_size + 4 * i] = 1.0;
   if (!initial_state_.empty())
     for (int i = 0; i < state_count_; ++i) state[own_size + i] = initial_state_[source_[i]];
+  if (!sdvini_) return "";
+  A& to = *arguments_;
+  std::fill_n(to[A::statev], state_count_, 0.0);
+  std::copy_n(point.position.begin(), 3, to[A::coords]);
+  to.caller.element = point.element;
+  to.caller.point = point.number;
+  const int nstatv = state_count_, ncrds = dimension_, one = 1;
+  {
+    const UmatCall call(to.caller);
+    reinterpret_cast<StateRoutine>(sdvini_)(to[A::statev], to[A::coords], &nstatv, &ncrds, &point.element,
+                                            &point.number, &one, &one);
+  }
+  check_overrun("sdvini_");
+  for (int i = 0; i < state_count_; ++i) state[own_size + i] = to[A::statev][source_[i]];
+  return "";
+}
+
+std::string Umat::find_stress(InitialPoint& point) const {
+  using A = Arguments;
+  A& to = *arguments_;
+  std::fill_n(to[A::stress], components_, 0.0);
+  std::copy_n(point.position.begin(), 3, to[A::coords]);
+  to.caller.element = point.element;
+  to.caller.point = point.number;
+  const int ntens = components_, ncrds = dimension_, one = 1, no_rebar = 0;
+  const std::string names(160, ' ');
+  {
+    const UmatCall call(to.caller);
+    reinterpret_cast<StressRoutine>(sigini_)(to[A::stress], to[A::coords], &ntens, &ncrds, &point.element,
+                                             &point.number, &one, &one, &no_rebar, names.data(), 80);
+  }
+  check_overrun("sigini_");
+  point.stress = {};
+  for (int i = 0; i < components_; ++i) point.stress[ours[i]] = scale_ * to[A::stress][i];
   return "";
 }
 
@@ -227,7 +283,7 @@ bool Umat::update(const SkeletonWorkset& w, int point) const {
   A& to = *arguments_;
   const double* old = &w.state_old(point, 0);
   for (int i = 0; i < components_; ++i) {
-    to[A::stress][i] = w.stress_old(point, ours[i]);
+    to[A::stress][i] = w.stress_old(point, ours[i]) / scale_;
     to[A::stran][i] = (i < 3 ? 1.0 : 2.0) * old[ours[i]];
     to[A::dstran][i] = w.strain(point, ours[i]);
   }
@@ -253,6 +309,9 @@ bool Umat::update(const SkeletonWorkset& w, int point) const {
   int ndi = 3, nshr = components_ - 3, ntens = components_, nstatv = state_count_,
       nprops = static_cast<int>(properties_.size()), one = 1;
   double dt = w.dt;
+  to.caller.element = element;
+  to.caller.point = number;
+  const UmatCall call(to.caller);
   reinterpret_cast<Routine>(routine_)(
       to[A::stress], to[A::statev], to[A::ddsdde], &sse, &spd, &scd, &rpl, to[A::ddsddt], to[A::drplde], &drpldt,
       to[A::stran], to[A::dstran], to[A::time], &dt, &warmth[0], &warmth[1], to[A::predef], to[A::dpred], name.data(),
@@ -260,14 +319,14 @@ bool Umat::update(const SkeletonWorkset& w, int point) const {
       to[A::dfgrd1], &element, &number, &one, &one, &stage, &increment, name.size());
 
   for (int i = 0; i < 6; ++i)
-    w.stress(point, ours[i]) = i < components_ ? to[A::stress][i] : w.stress_old(point, ours[i]);
+    w.stress(point, ours[i]) = i < components_ ? scale_ * to[A::stress][i] : w.stress_old(point, ours[i]);
   for (int i = 0; i < 6; ++i) w.state(point, i) = old[i] + (i < 3 ? 1.0 : 0.5) * w.strain(point, i);
   for (int i = 0; i < state_count_; ++i) w.state(point, own_size + i) = to[A::statev][source_[i]];
   if (w.want_tangent) {
     for (int c = 0; c < 36; ++c) w.tangent(point, c) = 0.0;
     for (int i = 0; i < components_; ++i)
       for (int j = 0; j < components_; ++j)
-        w.tangent(point, 6 * ours[i] + ours[j]) = to[A::ddsdde][i + components_ * j];
+        w.tangent(point, 6 * ours[i] + ours[j]) = scale_ * to[A::ddsdde][i + components_ * j];
     if (components_ == 4)
       for (int c = 3; c < 5; ++c) w.tangent(point, 7 * c) = shear_;  // no such shear; keeps the matrix regular
   }
@@ -286,13 +345,16 @@ int Umat::evaluate(const SkeletonWorkset& w) const {
     if (w.want_tangent)
       for (int c = 0; c < 36; ++c) w.tangent(i, c) = 0.0;
   }
+  check_overrun(symbol_);
+  return failures;
+}
+
+void Umat::check_overrun(const std::string& symbol) const {
   // other memory of the program may be overwritten too, so it must end
   if (const std::string where = arguments_->overrun(); !where.empty())
-    end_with_error("the subroutine '" + symbol_ + "' in the library '" +
-                       std::filesystem::path(library_).filename().string() + "' writes " + where +
-                       "; 'state variables', 'components' and 'properties' say how long its arrays are",
+    end_with_error("the subroutine '" + symbol + "' in the library '" + arguments_->caller.library + "' writes " +
+                       where + "; 'state variables', 'components' and 'properties' say how long its arrays are",
                    1);
-  return failures;
 }
 
 }  // namespace mudline

@@ -34,7 +34,9 @@ namespace mudline {
 ///   the others      SSE, SPD, SCD, RPL, their derivatives: 0; LAYER, KSPT: 1; PREDEF, DPRED: not a number, so that a
 ///                   law that uses them fails
 ///
-/// Writing outside of the arrays ends the program with the law's name.
+/// STRESS and DDSDDE are in the "stress unit". A SDVINI of the library sets STATEV at the start, a SIGINI the stress of
+/// a start of the type "by law". The utility routines of umat_utilities are there where the library has none of its
+/// own. Writing outside of the arrays ends the program with the law's name.
 class Umat : public Skeleton {
  public:
   void parameters(Parameters& p);
@@ -42,6 +44,9 @@ class Umat : public Skeleton {
   void check(const Section& section);
 
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
+  bool gives_stress() const override { return sigini_ != nullptr; }
+  /// By SIGINI.
+  std::string find_stress(InitialPoint& point) const override;
   std::string initialise(const InitialPoint& point, double* state) const override;
   bool wants_surroundings() const override { return true; }
   int evaluate(const SkeletonWorkset& workset) const override;
@@ -54,6 +59,8 @@ class Umat : public Skeleton {
   bool tell_surroundings(const SkeletonWorkset& workset, int point, Arguments& to) const;
   bool update(const SkeletonWorkset& workset, int point) const;
   void make_variables();
+  /// Ends the program where the subroutine has written outside of its arrays.
+  void check_overrun(const std::string& symbol) const;
 
   std::string library_, symbol_ = "umat_", name_ = "UMAT";
   int components_ = 6, state_count_ = 0;
@@ -62,9 +69,12 @@ class Umat : public Skeleton {
   double bulk_ = 0.0, shear_ = 0.0;  // [Pa]
   double k0_ = -1.0;
   double temperature_ = 0.0;  // [degC]
+  enum class StressUnit { pa, kpa, mpa } unit_ = StressUnit::pa;
+  double scale_ = 1.0;  // [Pa] the stress unit
+  int dimension_ = 3;
   std::vector<StateVariable> variables_;
   std::vector<int> source_;  // component of the state (behind the strain) -> index in STATEV
-  void* routine_ = nullptr;
+  void *routine_ = nullptr, *sdvini_ = nullptr, *sigini_ = nullptr;
   std::shared_ptr<Arguments> arguments_;
 };
 

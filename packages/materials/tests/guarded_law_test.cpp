@@ -44,6 +44,12 @@ struct Law : Skeleton {
     if (throws) throw 1;
     return rest;
   }
+  bool gives_stress() const override { return true; }
+  std::string find_stress(InitialPoint& point) const override {
+    if (throws) throw 1;
+    point.stress[4] = stress;
+    return failing >= 0 ? "a table is missing:\nno such file" : "";
+  }
 };
 
 struct Batch {
@@ -134,6 +140,19 @@ TEST(GuardedLaw, K0IsFinite) {
   EXPECT_NE(guarded_k0(law, {}, k0), "");
   law.throws = true;
   EXPECT_NE(guarded_k0(law, {}, k0), "");
+}
+
+TEST(GuardedLaw, TheInitialStressIsFinite) {
+  InitialPoint point{};
+  Law law;
+  EXPECT_EQ(guarded_stress(law, point), "");
+  EXPECT_EQ(point.stress[4], -1e5);
+  law.stress = nan;
+  EXPECT_EQ(guarded_stress(law, point), "the initial stress of its law is not finite");
+  law.failing = 0;
+  EXPECT_EQ(guarded_stress(law, point), "no such file");
+  law.throws = true;
+  EXPECT_NE(guarded_stress(law, point), "");
 }
 
 TEST(GuardedLaw, DescriptionsOfTheStateAreChecked) {
