@@ -7,13 +7,12 @@ import os
 import re
 import shlex
 import tempfile
-import unittest
 
 import numpy as np
 
 import cpu_limit
+from compared_case import ROOT, ComparedCase
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PROGRAM = os.environ.get("MUDLINE", os.path.join(ROOT, "build", "release", "apps", "mudline", "mudline"))
 MPIEXEC = shlex.split(os.environ.get("MUDLINE_MPIEXEC", "mpiexec --allow-run-as-root --oversubscribe --bind-to none"))
 
@@ -70,7 +69,7 @@ class History:
         return self.time[np.abs(nearest - self.time) <= 1e-9 * self.time[-1]]
 
 
-class MudlineCase(unittest.TestCase):
+class MudlineCase(ComparedCase):
     """A test with a scratch folder of its own."""
 
     def setUp(self):
@@ -85,12 +84,6 @@ class MudlineCase(unittest.TestCase):
         with open(path, "w") as file:
             file.write(text)
         return path
-
-    def assert_within(self, share, found, expected, what):
-        """found differs from expected by less than a share of it; MUDLINE_SHOW_ERRORS prints the difference."""
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{what}: {found:.5g}, expected {expected:.5g}, {100 * (found / expected - 1):+.2f} %")
-        self.assertLess(abs(found / expected - 1), share, f"{what}: {found:.5g}, expected {expected:.5g}")
 
     def run_deck(self, decks, settings=(), ranks=1, extra=(), timeout=300, name=None):
         """Runs deck(s), fails the test unless the exit code is 0, and returns the History."""
@@ -107,12 +100,6 @@ class MudlineCase(unittest.TestCase):
         """Values of a run's results by stage, what they are of, and quantity."""
         with open(os.path.join(self.folder, "results", name + ".results.csv"), newline="", encoding="utf-8") as file:
             return {(row["stage"], row["of"], row["quantity"]): float(row["value"]) for row in csv.DictReader(file)}
-
-    def assert_error(self, what, error, tolerance):
-        """The error is within the tolerance; with MUDLINE_SHOW_ERRORS it is told."""
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})", flush=True)
-        self.assertLessEqual(error, tolerance, what)
 
     def assert_same_run(self, one, other, names, what, rounding=1e-8, steps=2e-2):
         """Two runs of one deck that differ by rounding only, as on other numbers of ranks: the named columns are equal to
