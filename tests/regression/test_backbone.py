@@ -27,12 +27,12 @@ class Backbone(MudlineCase):
 
     def test_undrained(self):
         resistance, pressure = self.push(UNDRAINED)
-        self.assert_within(0.03, resistance, RESISTANCE[UNDRAINED], "undrained resistance")
-        self.assert_within(0.05, pressure, EXCESS_PRESSURE, "excess pressure beside the undrained cone")
+        self.compare_values("undrained resistance", resistance, RESISTANCE[UNDRAINED], 0.03)
+        self.compare_values("excess pressure beside the undrained cone", pressure, EXCESS_PRESSURE, 0.05)
 
     def test_drained(self):
         resistance, pressure = self.push(DRAINED)
-        self.assert_within(0.03, resistance, RESISTANCE[DRAINED], "drained resistance")
+        self.compare_values("drained resistance", resistance, RESISTANCE[DRAINED], 0.03)
         self.assertLess(abs(pressure), 0.05 * EXCESS_PRESSURE)
 
 

@@ -53,7 +53,8 @@ class Pile(SharedRun):
         self.assertEqual(out.returncode, 0, out.stdout + out.stderr)
         space = History(os.path.join(folder, "results", "installed_pile.csv"))
         for time, force in zip(space.time, 4 * space["contact/pile/reaction z"]):
-            self.assert_within(0.03, force, self.history.at("contact/pile/reaction y", PUSH + SET_UP + time), f"reaction after {time} s")
+            self.compare_values(f"reaction after {time} s", force,
+                                self.history.at("contact/pile/reaction y", PUSH + SET_UP + time), 0.03)
 
     def test_resistance(self):
         depth = -self.history["body/pile/displacement y"][self.pushing]
@@ -62,11 +63,12 @@ class Pile(SharedRun):
         smooth = np.polyval(np.polyfit(depth[deep], force[deep], 3), depth[deep])
         self.assertLess(np.std(force[deep] - smooth) / force[deep].mean(), 0.01)
         for z, expected in RESISTANCE.items():
-            self.assert_within(0.03, np.interp(z, depth, force), expected, f"resistance at {z} m")
+            self.compare_values(f"resistance at {z} m", np.interp(z, depth, force), expected, 0.03)
 
     def test_excess_pressure_under_the_face(self):
         for place, expected in EXCESS_PRESSURE.items():
-            self.assert_within(0.05, self.history.at(f"probe/{place}/excess pore pressure", 0.6 + LATE), expected, f"excess pressure, {place}")
+            self.compare_values(f"excess pressure, {place}",
+                                self.history.at(f"probe/{place}/excess pore pressure", 0.6 + LATE), expected, 0.05)
 
     def test_excess_pressure_is_highest_under_the_face_and_dissipates(self):
         names = sorted(self.file["steps"])
@@ -85,7 +87,7 @@ class Pile(SharedRun):
         time, force = self.history.time, self.history["contact/pile/reaction y"]
         pushed, held, loaded = (np.interp(t, time, force) for t in (PUSH, PUSH + SET_UP, PUSH + SET_UP + LOAD_TEST))
         self.assertLess(held, loaded)
-        self.assert_within(0.05, loaded / pushed, SET_UP_RATIO, "set-up")
+        self.compare_values("set-up", loaded / pushed, SET_UP_RATIO, 0.05)
 
     def test_pull_out_turns_friction_round(self):
         friction = self.history["contact/pile/friction y"]

@@ -54,11 +54,11 @@ class Torpedo(SharedRun):
     def test_depth(self):
         depth = -self.history["body/anchor/position y"]
         self.assertLess(np.argmax(depth), len(depth) - 1)  # it rests
-        self.assert_within(0.02, depth.max() - TIP, DEPTH - TIP, "way of the tip")
+        self.compare_values("way of the tip", depth.max() - TIP, DEPTH - TIP, 0.02)
 
     def test_deceleration(self):
         begin, end = (self.history.at("body/anchor/velocity y", t) for t in (0.3, 0.6))
-        self.assert_within(0.03, (end - begin) / 0.3, DECELERATION, "deceleration")
+        self.compare_values("deceleration", (end - begin) / 0.3, DECELERATION, 0.03)
 
     def test_depth_is_between_those_of_one_body(self):
         """A smooth circle on the surface bears 5.69 s_u, a smooth cone deep in clay at most 10.8."""

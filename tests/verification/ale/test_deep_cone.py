@@ -5,6 +5,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase
 
 DECKS = os.path.join(ROOT, "inputs", "cpt")
@@ -12,6 +13,7 @@ RADIUS, STRENGTH = 0.01785, 10e3
 WAY = 0.6  # radii
 
 
+@problem("consistency", title="Deep cone in Tresca clay, chords instead of arcs")
 class DeepCone(MudlineCase):
     def push(self, *overlays):
         history = self.run_deck([os.path.join(DECKS, deck) for deck in ("deep_tresca.xml",) + overlays],
@@ -40,7 +42,7 @@ class DeepCone(MudlineCase):
         self.assertLess(rough - smooth[-1], 2.4)
         self.assertLess(ripples[0], 2e-3)
         self.assertGreater(ripples[1], 2 * ripples[0])
-        self.assertLess(abs(chords[1][-1] / smooth[-1] - 1), 0.02)
+        self.compare("resistance with chords against arcs", abs(chords[1][-1] / smooth[-1] - 1), 0.02)
         self.assertLess(iterations, 7)
 
 

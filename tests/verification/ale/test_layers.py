@@ -9,6 +9,7 @@ import unittest
 import h5py
 import numpy as np
 
+from compared_case import problem
 from mudline_case import History, MudlineCase, deck_text, program
 from remeshed_ball import remeshing
 from swinging_mesh import swinging_mesh
@@ -67,6 +68,7 @@ def consolidation(times, k_upper, k_lower, cells=400):
     return (h * (LOAD - pressures) / stiffness).sum(axis=1), pressures[:, 0]
 
 
+@problem("exact", "sum of q h / M over the layers", "Layers without mesh lines")
 class Layers(MudlineCase):
     def test_settlement_is_the_sum_over_the_layers(self):
         """An element that the interface crosses cannot bend as sharply as the soil: the error is less than if it were all of
@@ -78,7 +80,8 @@ class Layers(MudlineCase):
                 {"load": {"type": "traction", "set": "top", "y": -LOAD}},
                 {"load": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}))
             found = -self.run_deck(deck)["probe/top/displacement y"][-1]
-            self.assert_error(f"settlement, {cells} cells", abs(found - exact), LOAD * (1 / SOFT - 1 / STIFF) / cells * 0.5)
+            self.compare(f"settlement, {cells} cells", abs(found - exact),
+                         LOAD * (1 / SOFT - 1 / STIFF) / cells * 0.5)
 
     def consolidate(self, cells, more=None, columns=1, duration=60.0, **run):
         deck = self.write("column.xml", column(
@@ -88,13 +91,17 @@ class Layers(MudlineCase):
                      "time step": {"initial": 0.05, "maximum": 1.0, "growth": 1.1}}}, columns))
         return self.run_deck([deck] + ([self.write("swing.xml", deck_text("swing", more))] if more else []), **run)
 
+    @problem("benchmark", "finite volumes in the test")
     def test_consolidation_of_two_layers(self):
         history = self.consolidate(40)
         later = history.time > 5
         settlement, pressure = consolidation(history.time[later], 1e-5, 4e-6)
-        self.assert_error("settlement", np.abs(-history["probe/top/displacement y"][later] - settlement).max() / settlement.max(), 0.01)
-        self.assert_error("pressure at the base", np.abs(history["probe/base/pore pressure"][later] - pressure).max() / LOAD, 0.01)
+        self.compare("settlement",
+                     np.abs(-history["probe/top/displacement y"][later] - settlement).max() / settlement.max(), 0.01)
+        self.compare("pressure at the base",
+                     np.abs(history["probe/base/pore pressure"][later] - pressure).max() / LOAD, 0.01)
 
+    @problem("consistency")
     def test_a_swinging_mesh_changes_nothing(self):
         still = self.consolidate(40, columns=2)
         moved = self.consolidate(40, SWING, columns=2)
@@ -103,12 +110,12 @@ class Layers(MudlineCase):
         self.assertEqual(moved["mesh motion/laws started anew"][-1], 0)
         for name in ("probe/top/displacement y", "probe/base/pore pressure"):
             scale = np.abs(still[name]).max()
-            self.assert_error(name, np.abs(moved.at(name, still.time) - still[name]).max() / scale, 1e-3)
+            self.compare(name, np.abs(moved.at(name, still.time) - still[name]).max() / scale, 1e-3)
         for name in ("upper", "lower"):
             grains = moved["balance/grains/" + name]
-            self.assert_error("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
+            self.compare("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
             # the volume of a layer's points is that of the layer to a row of points
-            self.assert_error("put back to " + name, np.abs(moved["mesh motion/restored grains of " + name]).max(), ROW)
+            self.compare("put back to " + name, np.abs(moved["mesh motion/restored grains of " + name]).max(), ROW)
         with h5py.File(os.path.join(self.folder, "results", "column.h5")) as file:
             last = file["steps"][sorted(file["steps"])[-1]]
             nodes = last["coordinates"][:, 1]
@@ -120,9 +127,10 @@ class Layers(MudlineCase):
         self.assertTrue((material[upper] == 0).all() and (material[lower] == 1).all())
         # nothing of one layer's void ratio gets into the other's: it stays even, but for strains of 1e-5
         for name, cells, started in (("above", upper, 1.5), ("below", lower, 0.7)):
-            self.assert_error("spread of the void ratio " + name, np.ptp(ratio[cells]), 1e-3)
-            self.assert_error("void ratio " + name, abs(ratio[cells].mean() - started) / (1 + started), ROW)
+            self.compare("spread of the void ratio " + name, np.ptp(ratio[cells]), 1e-3)
+            self.compare("void ratio " + name, abs(ratio[cells].mean() - started) / (1 + started), ROW)
 
+    @problem("consistency")
     def test_layers_on_ranks_and_after_a_restart(self):
         def swing(name, ranks=1, extra=()):
             settings = ["output/name=" + name, "output/checkpoint steps=10"]
@@ -143,6 +151,7 @@ class Layers(MudlineCase):
         swing("parts", 2, ["--restart"])
         self.assertEqual(content("parts"), content("on2"))
 
+    @problem("consistency")
     def test_layers_go_over_to_other_meshes(self):
         def consolidate(more=None):
             deck = self.write("column.xml", column(
@@ -156,10 +165,12 @@ class Layers(MudlineCase):
         self.assertGreaterEqual(moved["mesh/remeshings"][-1], 3)
         self.assertEqual(moved["mesh motion/laws started anew"][-1], 0)
         scale = np.abs(still["balance/water/outflow"]).max()
-        self.assert_error("water that flowed out", np.abs(moved.at("balance/water/outflow", still.time) - still["balance/water/outflow"]).max() / scale, 2e-3)
+        self.compare("water that flowed out",
+                     np.abs(moved.at("balance/water/outflow", still.time)
+                            - still["balance/water/outflow"]).max() / scale, 2e-3)
         for name in ("upper", "lower"):
             grains = moved["balance/grains/" + name]
-            self.assert_error("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
+            self.compare("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
         with h5py.File(os.path.join(self.folder, "results", "column.h5")) as file:
             last = file["steps"][sorted(file["steps"])[-1]]
             ratio, material = last["cell/void_ratio"][:].ravel(), last["cell/material"][:].ravel()
@@ -167,9 +178,10 @@ class Layers(MudlineCase):
         for name, cells, number, started in (("above", start[:, 1] > INTERFACE + 1 / 24, 0, 1.5), ("below", start[:, 1] < INTERFACE - 1 / 24, 1, 0.7)):
             self.assertGreater(cells.sum(), 20)
             self.assertTrue((material[cells] == number).all())
-            self.assert_error("void ratio " + name, np.abs(ratio[cells] - started).max() / (1 + started), ROW)
+            self.compare("void ratio " + name, np.abs(ratio[cells] - started).max() / (1 + started), ROW)
 
 
+@problem("behaviour", title="A layer that starts anew")
 class StartsAnew(MudlineCase):
     def test_it_is_told_once_and_counted(self):
         """A wedge that runs out to nothing: no point is in its thin end at the start. A mesh that swings through it brings points there which
@@ -201,6 +213,7 @@ CLAYS = {  # void ratio, critical stress ratio, slopes, Poisson's ratio, conduct
 TOP_OF_SOFT = 1.19  # [m] of 2 m
 
 
+@problem("exact", "swelling line of Cam Clay on each point's own stress path", "Flat elements in layered clay")
 class FlatElements(MudlineCase):
     """Two overconsolidated clays under 120 kPa more, elements up to 14 times as wide as high. Both stay elastic: their preconsolidation is what it
     was, and at the end every point of a layer has the void ratio that the swelling line gives for its own stress path, as on a mesh that goes with the soil."""
@@ -247,12 +260,15 @@ class FlatElements(MudlineCase):
                 here = there[:, None] - TOP_OF_SOFT > 1.6 / cells if number else TOP_OF_SOFT - there[:, None] > 1.6 / cells
                 self.assertTrue((material[own] == number).all())
                 e, p = still[here.ravel()].mean(), pressures[here.ravel()].mean()
-                self.assert_error(f"void ratio, {cells} cells, layer {number}", np.abs(ratio[own] - e).max() / (1 + e), 0.02 / cells)
-                self.assert_error(f"preconsolidation, {cells} cells, layer {number}", np.abs(preconsolidation[own] / p - 1).max(), 2e-3)
+                self.compare(f"void ratio, {cells} cells, layer {number}", np.abs(ratio[own] - e).max() / (1 + e),
+                             0.02 / cells)
+                self.compare(f"preconsolidation, {cells} cells, layer {number}",
+                             np.abs(preconsolidation[own] / p - 1).max(), 2e-3)
             for name in ("soft", "stiff"):
                 grains = history["balance/grains/" + name]
-                self.assert_error("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
-                self.assert_error("unresolved of " + name, np.abs(history["mesh motion/unresolved grains of " + name]).max(), 0.4 / cells)
+                self.compare("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
+                self.compare("unresolved of " + name,
+                             np.abs(history["mesh motion/unresolved grains of " + name]).max(), 0.4 / cells)
 
 
 if __name__ == "__main__":

@@ -4,12 +4,14 @@ import re
 import unittest
 
 import numpy as np
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase
 
 CYCLE = os.path.join(ROOT, "inputs", "impact", "fall_and_pull_out.xml")
 WEIGHT = 400 * 9.81
 
 
+@problem("exact", "equilibrium of forces and the prescribed motion", "Stages of an anchor")
 class Stages(MudlineCase):
     def test_life_of_an_anchor(self):
         history = self.run_deck(CYCLE)
@@ -23,18 +25,19 @@ class Stages(MudlineCase):
         self.assertTrue(np.all(history["body/anchor/acceleration y"][flight] < -5))
         self.assertGreater(v[fall].max(), 0.5)  # it is thrown back
         # at rest the soil bears the weight less the water displaced above the mudline
-        self.assertLess(np.abs(reaction[rest] + load[rest]).max(), 1e-5 * WEIGHT)
-        self.assertLess(abs(v[rest][-1]), 1e-6)
+        self.compare("reaction at rest", np.abs(reaction[rest] + load[rest]).max() / WEIGHT, 1e-5)
+        self.compare("speed at rest", abs(v[rest][-1]), 1e-6)
         # the pull: the prescribed velocity after its ramp, and the force that it takes
-        self.assertLess(np.abs(v[pull][t[pull] > 2e4 + 5.2] - 1e-3).max(), 1e-15)
-        self.assertLess(abs(y[pull][-1] - y[rest][-1] - 1e-3 * (40 - 2.5)), 1e-12)
+        self.compare("speed of the pull", np.abs(v[pull][t[pull] > 2e4 + 5.2] - 1e-3).max(), 1e-15)
+        self.compare("way of the pull", abs(y[pull][-1] - y[rest][-1] - 1e-3 * (40 - 2.5)), 1e-12)
         self.assertEqual(np.abs(load[pull]).max(), 0.0)
         driving = history["body/anchor/driving force y"]
-        self.assertLess(np.abs(driving[pull] + reaction[pull]).max(), 1e-9 * WEIGHT)
+        self.compare("driving force", np.abs(driving[pull] + reaction[pull]).max() / WEIGHT, 1e-9)
         self.assertEqual(reaction[-1], 0.0)  # out
         tip, shaft = history["contact/seabed/tip reaction y"], history["contact/seabed/shaft reaction y"]
-        self.assertLess(np.abs(tip + shaft - reaction).max(), 1e-9 * WEIGHT)
+        self.compare("tip and shaft against the whole", np.abs(tip + shaft - reaction).max() / WEIGHT, 1e-9)
 
+    @problem("consistency")
     def test_ranks(self):
         one = self.run_deck(CYCLE)
         for ranks in (2, 4):
@@ -56,9 +59,11 @@ class Stages(MudlineCase):
         with open(os.path.join(self.folder, "results", name + ".csv"), "rb") as file:
             return file.read()
 
+    @problem("behaviour")
     def test_restart(self):
         self.check_restart(1)
 
+    @problem("behaviour")
     def test_restart_2(self):
         self.check_restart(2)
 

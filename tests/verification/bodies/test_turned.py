@@ -5,6 +5,7 @@ import re
 import unittest
 
 import numpy as np
+from compared_case import problem
 from mudline_case import History, MudlineCase, deck_text, program
 from references import rigid_body as reference
 
@@ -47,9 +48,10 @@ class BodyCase(MudlineCase):
             a, b = (np.stack([run[name] for name in names]) for run in (one, other))
             size = max(np.abs(a).max(), np.abs(b).max())
             if size > 0:
-                self.assertLess(np.abs(a - b).max() / size, tolerance, f"{what}: {group}")
+                self.compare(f"{what}: {group}", np.abs(a - b).max() / size, tolerance)
 
 
+@problem("consistency", title="Bodies turned at the start")
 class Turned(BodyCase):
     def test_a_quarter_turn_in_space(self):
         """A block that hits the ground on an edge: turned by 90 degrees about x, or drawn so, with its mass off the centre and the
@@ -93,6 +95,7 @@ class Turned(BodyCase):
         self.assertGreater(np.abs(one["body/block/rotation"]).max(), 1e-3)
         self.same(one, other, "plane", 1e-6)
 
+    @problem("exact", "the spin times the time")
     def test_restart(self):
         """Bit for bit, of a body that is turned at the start and spins; the rotation counts from the start."""
         free = {"type": "free", "gravity": [0.0, 0.0, 0.0], "initial spin": [1.0, -2.0, 0.5]}
@@ -102,13 +105,15 @@ class Turned(BodyCase):
         whole = self.run_deck(path)
         data = open(os.path.join(self.folder, "results", "spins.csv")).read()
         turned = np.stack([whole[f"body/block/rotation {axis}"] for axis in "xyz"], axis=1)
-        self.assertLess(np.abs(turned - np.outer(whole.time, [1.0, -2.0, 0.5])).max(), 0.1 * np.abs(turned).max())
+        self.compare("rotation",
+                     np.abs(turned - np.outer(whole.time, [1.0, -2.0, 0.5])).max() / (np.abs(turned).max()), 0.1)
         for arguments in (["--steps", 7, "--overwrite"], ["--restart"]):
             done = program(["run", "-q", path, *arguments], folder=self.folder)
             self.assertIn(done.returncode, (0, 4), done.stderr)
         self.assertEqual(open(os.path.join(self.folder, "results", "spins.csv")).read(), data)
 
 
+@problem("exact", "shadow of the block", "Width of turned bodies")
 class Widths(BodyCase):
     """Half the width of a body is that of its shadow along the direction in which it is pressed."""
 
@@ -131,7 +136,7 @@ class Widths(BodyCase):
                            ("turned", {"position": [0.0, 0.0, 0.1], "rotation": [0.0, 0.0, 30.0], "surface": beam}),
                            ("standing", {"position": [0.0, 0.0, 0.6], "rotation": [0.0, 90.0, 0.0], "surface": beam})):
             depth, share = self.share_told(body, space, **down)
-            self.assertLess(abs(share / (depth / 0.1) - 1), 0.03, f"{name}: {share} of the half width at {depth} m")
+            self.compare(f"{name}: share of the half width", abs(share / (depth / 0.1) - 1), 0.03)
 
     def test_in_the_plane(self):
         """A plate that stands on its edge is as wide as it is thick."""
@@ -139,9 +144,10 @@ class Widths(BodyCase):
         for rotation, height, half in (([0.0], 0.0, 0.5), ([90.0], 0.5, 0.15)):
             body = {"position": [0.0, height], "rotation": rotation, "contour": strip}
             depth, share = self.share_told(body, plane, **{"velocity y": -0.3 * half})
-            self.assertLess(abs(share / (depth / half) - 1), 0.03, f"{rotation}: {share} of the half width at {depth} m")
+            self.compare(f"{rotation}: share of the half width", abs(share / (depth / half) - 1), 0.03)
 
 
+@problem("exact", "equilibrium of moments", "Moments of contacts")
 class Moments(BodyCase):
     PRESS = {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.25}}
 
@@ -163,9 +169,9 @@ class Moments(BodyCase):
         # what holds the other directions acts at the centre of mass
         held = np.array([history[f"body/block/driving force {axis}"][-1] for axis in "xyz"])
         expected = -np.cross(turn @ point, force) - np.cross(turn @ np.array(body["centre of mass"]), held)
-        self.assertLess(abs(reaction[2] + force[2]), 1e-6 * 2e4)
+        self.compare("force", abs(reaction[2] + force[2]) / 2e4, 1e-6)
         # about z nothing is balanced: the body does not turn there
-        self.assertLess(np.abs(moment - expected)[:2].max(), 1e-6 * np.abs(expected).max(), f"{moment}, expected {expected}")
+        self.compare("moment", np.abs(moment - expected)[:2].max() / (np.abs(expected).max()), 1e-6)
         self.assertEqual(history.units["contact/touch/moment x"], "N m")
 
     def test_in_the_plane(self):
@@ -179,8 +185,9 @@ class Moments(BodyCase):
         arm, centre = turn @ [0.1, 0.3], turn @ [-0.05, 0.1]
         held = history["body/block/driving force x"][-1]  # at the centre of mass
         self.assertLess(angle, 0)
-        self.assertLess(abs(history["contact/touch/moment"][-1] - 3e4 * arm[0] - held * centre[1]), 1e-6 * 3e3)
+        self.compare("moment", abs(history["contact/touch/moment"][-1] - 3e4 * arm[0] - held * centre[1]) / 3e3, 1e-6)
 
+    @problem("behaviour")
     def test_half_a_body_has_none(self):
         motion = {"type": "prescribed velocity", "velocity y": -0.01}
         body = {"position": [-1.2, 0.0], "motion": motion, "contour": {"type": "strip", "width": 1.0, "thickness": 0.3, "corner radius": 0.02}}

@@ -27,9 +27,6 @@ class ConsolidationCase(MudlineCase):
         nodes = nodes[np.unique(topology.reshape(-1, width)[:, 1:1 + corners])]
         return nodes[np.argmin(np.hypot(nodes[:, 0] - x, nodes[:, 1] - y))]
 
-    def assert_close(self, what, value, exact, tolerance, scale=None):
-        """|value - exact| <= tolerance |scale|, by default relative to the exact value."""
-        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale)), tolerance)
 
 
 def between(history, name, times):

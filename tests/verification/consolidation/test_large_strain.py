@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import ComparedCase, problem
 from consolidation_case import ConsolidationCase, between
 from references import biot, finite_strain
 
@@ -34,15 +35,18 @@ LAWS = {"constant": (constant, ()), "kozeny-carman": (kozeny_carman, (PERMEABILI
         "log-linear": (log_linear, (PERMEABILITY + "type=log-linear", f"{PERMEABILITY}permeability index={INDEX}"))}
 
 
-class Reference(unittest.TestCase):
+@problem("exact", "Xie and Leo (2004): linear case", "Finite volumes at large strain")
+class Reference(ComparedCase):
     def test_linear_case(self):
         """Mobility proportional to J^2: Terzaghi's degree of consolidation, at any strain."""
         found = finite_strain.Consolidation(MODULUS, LOAD, lambda ratio: MOBILITY * ratio ** 2, TIMES)
         column = biot.Column(biot.INCOMPRESSIBLE)
         degree = np.array([column.settlement(t / column.time(1.0)) for t in TIMES]) / column.final_settlement
-        self.assertLess(np.abs(found.settlement() / (found.final_settlement() * degree) - 1).max(), 1e-4)
+        self.compare("settlement", np.abs(found.settlement() / (found.final_settlement() * degree) - 1).max(), 1e-4)
 
 
+@problem("benchmark", "Gibson, England and Hussey (1967), finite volumes in references/finite_strain.py",
+         "Consolidation at large strain")
 class LargeStrain(ConsolidationCase):
     def test_consolidation(self):
         for law, (mobility, settings) in LAWS.items():
@@ -55,27 +59,30 @@ class LargeStrain(ConsolidationCase):
         history = self.run_deck(self.deck("large_strain"), settings + (
             "stages/consolidation/duration=1000", "mesh/cells={1, 60}", "mesh/grading={1, 0.05}",
             "solver/residual tolerance=1e-8"))  # the water balance closes as far as Newton goes
-        self.assert_close(f"{name}: settlement", -between(history, "probe/top/displacement y", TIMES), exact.settlement(), TOLERANCE)
+        self.compare_values(f"{name}: settlement", -between(history, "probe/top/displacement y", TIMES),
+                            exact.settlement(), TOLERANCE)
         for probe, height in (("base", 0.0), ("middle", 0.5)):
             exact_pressure = exact.pressure(self.corner_near("large_strain", 0.0, height)[1])
-            self.assert_close(f"{name}: p {probe}", between(history, f"probe/{probe}/pore pressure", TIMES), exact_pressure,
-                              TOLERANCE, scale=LOAD)
+            self.compare_values(f"{name}: p {probe}", between(history, f"probe/{probe}/pore pressure", TIMES),
+                                exact_pressure, TOLERANCE, scale=LOAD)
         error = np.abs(history["balance/water/error"]).max()
-        self.assert_close(f"{name}: water balance", error, 0.0, 1e-8, scale=1.0)
+        self.compare_values(f"{name}: water balance", error, 0.0, 1e-8, scale=1.0)
 
+    @problem("exact", "M ln J and the void ratio at rest")
     def test_final_settlement(self):
         history = self.run_deck(self.deck("large_strain"), (
             "stages/consolidation/duration=6000", "stages/consolidation/time step/maximum=100"))
-        self.assert_close("final settlement", -history["probe/top/displacement y"][-1], 1 - np.exp(-LOAD / MODULUS), 1e-4)
+        self.compare_values("final settlement", -history["probe/top/displacement y"][-1], 1 - np.exp(-LOAD / MODULUS),
+                            1e-4)
         with self.fields("large_strain") as file:
             last = sorted(file["steps"])[-1]
             cells = file[f"steps/{last}/cell"]
             errors = np.abs(cells["void_ratio"][:] / void_ratio(0.75) - 1)
             stress = cells["effective_stress"][:, 3]  # yy of XDMF's xx, xy, xz, yy, yz, zz
         # the drained surface takes its whole strain in the first step, where the increment's logarithm is that of the midpoint rule
-        self.assert_close("final void ratio, mean", np.mean(errors), 0.0, 1.5e-4, scale=1.0)
-        self.assert_close("final void ratio, worst", np.max(errors), 0.0, 4e-3, scale=1.0)
-        self.assert_close("final effective stress", np.abs(stress), LOAD, 5e-4)
+        self.compare_values("final void ratio, mean", np.mean(errors), 0.0, 1.5e-4, scale=1.0)
+        self.compare_values("final void ratio, worst", np.max(errors), 0.0, 4e-3, scale=1.0)
+        self.compare_values("final effective stress", np.abs(stress), LOAD, 5e-4)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase, deck_text, program
 
 
@@ -11,6 +12,7 @@ def probes(entries):
     return deck_text("probes", {"output": {"probes": entries}})
 
 
+@problem("consistency", title="Probes")
 class Probes(MudlineCase):
     def test_a_place_is_interpolated_in_its_element(self):
         deck = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
@@ -24,7 +26,7 @@ class Probes(MudlineCase):
         for field in ("pore pressure", "displacement y"):
             node, place = history[f"probe/middle node/{field}"], history[f"probe/at node/{field}"]
             self.assertGreater(np.abs(node).max(), 0)
-            self.assertLess(np.abs(node - place).max(), 2e-5 * np.abs(node).max())
+            self.compare(field, np.abs(node - place).max() / (np.abs(node).max()), 2e-5)
         # a quarter of a cell higher: between the node and the drained top, by the pressure's own slope
         lower, between = history["probe/middle node/pore pressure"][-1], history["probe/between/pore pressure"][-1]
         self.assertLess(between, lower)
@@ -32,6 +34,7 @@ class Probes(MudlineCase):
         self.assertEqual(history["probe/between/position y"][-1], 0.5125)
         self.assertEqual(np.abs(history["probe/above/pore pressure"][1:]).max(), 0)  # outside once the top has sunk: the nearest point
 
+    @problem("behaviour")
     def test_a_point_of_a_body_goes_with_it(self):
         deck = os.path.join(ROOT, "inputs", "impact", "free_fall.xml")
         with open(deck) as file:
@@ -55,9 +58,10 @@ class Probes(MudlineCase):
         self.assertEqual(len(names), 6 * (2 + 2 + 2 * 2))  # position, displacement, two pressures with an error each
         for name in names:
             scale = max(np.abs(one[name]).max(), 1e-9)
-            self.assertLess(np.abs(one[name] - two[name]).max(), 1e-8 * scale, name)
+            self.compare(name, np.abs(one[name] - two[name]).max() / scale, 1e-8)
         self.assertGreater(one["probe/at 0.52/pore pressure error"][-1], 0)
 
+    @problem("behaviour")
     def test_wrong_probes_get_one_message(self):
         deck = os.path.join(ROOT, "inputs", "impact", "free_fall.xml")
         for entry, message in (({"point": [0.0, 0.0], "moves with": "bdy"}, "unknown body 'bdy'"),

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 from scipy.optimize import brentq
 
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase, deck_text, program
 
 CONDUCTIVITY, WEIGHT, POROSITY = 1e-5, 9810.0, 0.4  # [m/s, N/m3, -]
@@ -38,6 +39,7 @@ def conductivity(z, time, length, before, after, count=300):
     return after - (after - 1) * np.exp(-z) - 4 * (after - before) * np.exp((length - z) / 2 - time / 4) * series
 
 
+@problem("exact", "equilibrium, by quadrature", "Soil above the water table", topic="unsaturated soil")
 class Unsaturated(MudlineCase):
     def last(self, name):
         """Coordinates at the start, and pore pressures at the end, of all nodes."""
@@ -80,18 +82,21 @@ class Unsaturated(MudlineCase):
         corners = slice(None, None, 2)
         found = np.exp(p * alpha / WEIGHT)
         exact = conductivity(z * alpha, 0.5, alpha, 0.1, 0.9)
-        self.assert_error(f"{name}: relative conductivity", np.abs(found - exact)[corners].max(), 0.005)
+        self.compare(f"{name}: relative conductivity", np.abs(found - exact)[corners].max(), 0.005)
         self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-10)
         return found
 
+    @problem("exact", "Srivastava and Yeh (1991)")
     def test_infiltration(self):
         self.infiltration("rain", steps=200)
         self.infiltration("rain_on_ranks", ranks=2)
         self.infiltration("rain_round", geometry="axisymmetric")
 
+    @problem("exact", "Srivastava and Yeh (1991)")
     def test_infiltration_in_space(self):
         self.infiltration("rain_in_space", cell="hex27", geometry="three-dimensional")
 
+    @problem("exact", "Charny (1951)")
     def test_dam(self):
         """The shipped deck. What flows through every section follows from the pore pressures of the two faces alone:
         Q = k/(weight L) times the difference of the integrals of the potential of k_r (Charny 1951); without suction that
@@ -99,7 +104,7 @@ class Unsaturated(MudlineCase):
         width, height, suction = 4.0, 4.0, 5000.0
         history = self.run_deck(os.path.join(ROOT, "inputs", "consolidation", "dam.xml"))
         discharge = history["discharge/open face"][-1]
-        self.assert_error("dam: what enters leaves", abs(history["reaction/lake"][-1] / discharge - 1), 1e-4)
+        self.compare("dam: what enters leaves", abs(history["reaction/lake"][-1] / discharge - 1), 1e-4)
         dupuit = CONDUCTIVITY * height ** 2 / (2 * width)
         self.assertTrue(1.0 < discharge / dupuit < 1.08, discharge / dupuit)
         x, p = self.last("dam")
@@ -117,7 +122,7 @@ class Unsaturated(MudlineCase):
             return cumulative_trapezoid(of_height, fine)[-1]
 
         exact = CONDUCTIVITY / (WEIGHT * width) * (potential(0.0) - potential(width))
-        self.assert_error("dam: discharge over that of the potentials", abs(discharge / exact - 1), 0.005)
+        self.compare("dam: discharge over that of the potentials", abs(discharge / exact - 1), 0.005)
         face = np.isclose(x[:, 0], width)
         self.assertLess(p[face].max(), 0.01 * WEIGHT)  # no pressure on the face
         wet = x[face & (p > -1.0), 1].max()
@@ -147,7 +152,7 @@ class Unsaturated(MudlineCase):
         for name, top in (("sealed", {}), ("open", {"air": {"type": "seepage face", "set": "top"}})):
             with self.subTest(top=name):
                 history = self.run_deck(self.resting(name, **top))
-                self.assertLess(np.abs(history["probe/top/displacement y"]).max(), 1e-6)
+                self.compare("settlement", np.abs(history["probe/top/displacement y"]).max(), 1e-6)
         with h5py.File(f"{self.folder}/results/open.h5") as file:
             last = file["steps"][sorted(file["steps"])[-1]]
             stress, filled = -last["cell/effective_stress"][:, 3], last["cell/saturation"][:].ravel()
@@ -163,8 +168,8 @@ class Unsaturated(MudlineCase):
             places = [middle + shift * np.sqrt(0.6) * 0.125 for shift in (-1, 0, 1)]
             return sum(np.interp(place, y[::-1], values[::-1]) for place in places) / 3
 
-        self.assert_error("saturation above the table", np.abs(filled - of_cells(saturation)).max(), 1e-6)
-        self.assert_error("effective stress", np.abs(stress / of_cells(total - effective * pore) - 1).max(), 2e-4)
+        self.compare("saturation above the table", np.abs(filled - of_cells(saturation)).max(), 1e-6)
+        self.compare("effective stress", np.abs(stress / of_cells(total - effective * pore) - 1).max(), 2e-4)
 
     def test_shrinkage(self):
         """Suction that comes slowly from both ends shortens a laterally held column by S_e s/M."""
@@ -185,9 +190,10 @@ class Unsaturated(MudlineCase):
         history = self.run_deck(self.write("shrinks.xml", deck))
         acting = suction * (1 + (alpha * suction) ** 1.5) ** (1 / 1.5 - 1)
         exact = np.expm1(-acting / modulus)  # of the logarithmic strain of a law in rates
-        self.assert_error("shrinkage", abs(history["probe/top/displacement y"][-1] / exact - 1), 1e-4)
+        self.compare("shrinkage", abs(history["probe/top/displacement y"][-1] / exact - 1), 1e-4)
         self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-10)
 
+    @problem("exact", "flow by k k_r, after Mualem (1976)")
     def test_relative_permeability(self):
         """Water that sinks through evenly moist soil, its suction held at both ends, flows by k k_r."""
         for suction, least, connectivity in ((2e4, 1e-9, 1.5), (5e5, 1e-3, 0.5)):
@@ -207,8 +213,9 @@ class Unsaturated(MudlineCase):
                 effective = (1 + ratio ** 2.5) ** -m
                 mualem = effective ** connectivity * (1 - (1 - effective ** (1 / m)) ** m) ** 2
                 found = history["reaction/in"][-1] / CONDUCTIVITY
-                self.assert_error("k_r", abs(found / max(mualem, least) - 1), 1e-6)
+                self.compare("k_r", abs(found / max(mualem, least) - 1), 1e-6)
 
+    @problem("behaviour")
     def test_refusals(self):
         """Saturated soil that is opened to water at no suction would swell without end."""
         def refused(entries, words):

@@ -21,7 +21,3 @@ class ContactCase(MudlineCase):
             top = np.flatnonzero(np.abs(start[:, 1] - level) < 1e-9)
             top = top[np.argsort(start[top, 0])]
             return [step["coordinates"][:][top, 0]] + [np.asarray(step["nodal"][name])[top] for name in names]
-
-    def assert_within(self, what, value, exact, tolerance, scale=None):
-        """Largest |value - exact| within tolerance * |scale|, by default of the exact value."""
-        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale)), tolerance)

@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from contact_case import PRESSURE, ContactCase
 from mudline_case import History, program
 from references import contact as reference
@@ -11,15 +12,16 @@ from references import contact as reference
 AUGMENTED = ("contacts/face/enforcement=augmented Lagrangian",)
 
 
+@problem("exact", "Hertz, after Johnson (1985); equilibrium", "Augmented Lagrangian")
 class Augmented(ContactCase):
     def test_patch(self):
         """Uniform pressure from the automatic penalty, which differs from side to side."""
         history = self.run_deck(self.deck("patch"), AUGMENTED + ("contacts/face/penalty=0", "contacts/face/gap tolerance=1e-13"))
         _, pressure = self.surface("patch", 0.5, PRESSURE)
-        self.assert_within("pressure", pressure, pressure.mean(), 1e-8)
+        self.compare_values("pressure", pressure, pressure.mean(), 1e-8)
         # confined: M times the strain, in the deformed state
         modulus = 1e7 * 0.7 / (1.3 * 0.4)
-        self.assert_within("mean pressure", pressure.mean(), modulus * 1e-4 / 0.5, 3e-4)
+        self.compare_values("mean pressure", pressure.mean(), modulus * 1e-4 / 0.5, 3e-4)
         self.assertLessEqual(history["contact/face/weighted gap"][-1], 1e-13)
 
     def test_hertz_with_a_soft_penalty(self):
@@ -33,11 +35,12 @@ class Augmented(ContactCase):
         load = 2 * history["contact/face/reaction y"][-1]
         a, p0 = reference.hertz_line(load, 1.0, reference.plane_modulus(2e8, 0.3))
         x, pressure = self.surface("hertz_line", 0.0, PRESSURE)
-        self.assert_within("largest pressure", pressure[0], p0, 0.02)
+        self.compare_values("largest pressure", pressure[0], p0, 0.02)
         for fraction in (0.5, 0.8):
-            self.assert_within(f"pressure at {fraction} a", np.interp(fraction * a, x, pressure),
-                               reference.hertz_pressure(fraction * a, a, p0), 0.02, p0)
+            self.compare_values(f"pressure at {fraction} a", np.interp(fraction * a, x, pressure),
+                                reference.hertz_pressure(fraction * a, a, p0), 0.02, p0)
 
+    @problem("consistency")
     def test_block_sticks_where_it_stands(self):
         """Pushed below its friction a block moves with the ground only, not by the stretch of the penalty's spring."""
         push = ("materials/soil/skeleton/Young's modulus=1e9", "stages/slide/motions/block/force x=2000*min(5*(t-1),1)",
@@ -50,8 +53,10 @@ class Augmented(ContactCase):
             self.assertEqual(len(history["time"]), 101, name)
             way[name] = history["body/block/displacement x"][-1]
         self.assertGreater(way["spring"], way["stiff"] + 0.9e-6)
-        self.assert_within("way", way["soft"], way["stiff"] - 2000 / (2 * 1e12), 1e-3)  # less the stiff spring's own stretch
+        self.compare_values("way", way["soft"], way["stiff"] - 2000 / (2 * 1e12),
+                            1e-3)  # less the stiff spring's own stretch
 
+    @problem("consistency")
     def test_rejected_steps_and_restarts_leave_nothing(self):
         deck = self.deck("sliding_plate")
         settings = AUGMENTED + ("contacts/face/penalty factor=2", "contacts/face/gap tolerance=1e-9", "contacts/face/most augmentations=8")

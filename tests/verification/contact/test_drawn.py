@@ -1,6 +1,7 @@
 """A body whose contour is drawn in a Gmsh geometry: the same forces as the library's shape of the same sizes."""
 import unittest
 
+from compared_case import problem
 from contact_case import ContactCase
 from mudline_case import program
 
@@ -14,6 +15,7 @@ LIBRARY = """<ParameterList name="library"><ParameterList name="bodies"><Paramet
 """
 
 
+@problem("consistency", title="Drawn contour against the library's cone")
 class Drawn(ContactCase):
     def library_deck(self):
         """The same deck with the library's cone."""
@@ -31,12 +33,14 @@ class Drawn(ContactCase):
         self.assertEqual(len(drawn.time), len(library.time))
         for column in ("reaction y", "friction heat"):
             exact = library["contact/face/" + column]
-            self.assert_within(column, drawn["contact/face/" + column], exact, 1e-8, exact.max())
+            self.compare_values(column, drawn["contact/face/" + column], exact, 1e-8, exact.max())
 
+    @problem("consistency")
     def test_ranks(self):
         one, two = (self.run_deck(self.deck("drawn_cone"), ranks=ranks) for ranks in (1, 2))
         self.assert_same_run(one, two, ["contact/face/reaction y"], "2 ranks")
 
+    @problem("behaviour")
     def test_errors(self):
         def message(*settings):
             done = program(["check", self.deck("drawn_cone")] + [x for s in settings for x in ("--set", s)], 1, self.folder)

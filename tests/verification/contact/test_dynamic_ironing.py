@@ -2,10 +2,12 @@
 dragged over soil with inertia, faceted and smooth, contact checked at nodes and at quadrature points."""
 import unittest
 
+from compared_case import problem
 from contact_case import ContactCase
 from dynamic_ironing import METHODS, Response, settings
 
 
+@problem("behaviour", title="Dynamic ironing, smooth contours")
 class DynamicIroning(ContactCase):
     def test_smooth_contour_calms_the_response(self):
         smooth = {}

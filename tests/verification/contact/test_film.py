@@ -5,6 +5,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from contact_case import ContactCase
 from mudline_case import deck_text, program
 from references.suction import PulledPlate
@@ -23,6 +24,7 @@ def held(**components):
     return {f"held {name}": {"type": "fixed", "set": name, "components": which} for name, which in components.items()}
 
 
+@problem("exact", "series solution in references/suction.py", "Plate pulled off a saturated layer")
 class PulledOff(ContactCase):
     def pull(self, young, conductivity, velocity, stress, duration, **contact):
         """A column with a drained base under a wide plate; pressed until `stress` is reached at rest, then pulled."""
@@ -61,32 +63,34 @@ class PulledOff(ContactCase):
             name = f"{final} Pa in the end"
             total = [exact.total(t) for t in times]
             self.assertLess(exact.parts, 0.8 * duration)
-            self.assert_within(f"{name}: pressure of the plate", history["contact/face/reaction y"][pulled] / WIDTH, total, 5e-3,
-                               scale=np.max(np.abs(total)))
+            self.compare_values(f"{name}: pressure of the plate", history["contact/face/reaction y"][pulled] / WIDTH,
+                                total, 5e-3, scale=np.max(np.abs(total)))
             gap = np.array([exact.gap(t) for t in times])
-            self.assert_within(f"{name}: water in the gap", history["contact/face/film water"][pulled] / WIDTH, gap, 5e-3,
-                               scale=gap.max())
+            self.compare_values(f"{name}: water in the gap", history["contact/face/film water"][pulled] / WIDTH, gap,
+                                5e-3, scale=gap.max())
             self.assertEqual(np.abs(history["contact/face/film vapour"]).max(), 0)
 
     def test_no_contact_stress(self):
         """Without contact stress the suction starts with the motion; its film is all that acts on the plate."""
         history, _, times, exact = self.pull(1e7, 1e-6, 2e-9, 0.0, 1.0)
         total = [exact.total(t) for t in times]
-        self.assert_within("pressure of the plate", history["contact/face/reaction y"] / WIDTH, total, 5e-3, scale=20)
-        self.assert_within("of the film", history["contact/face/film force y"] / WIDTH, total, 5e-3, scale=20)
+        self.compare_values("pressure of the plate", history["contact/face/reaction y"] / WIDTH, total, 5e-3,
+                            scale=20)
+        self.compare_values("of the film", history["contact/face/film force y"] / WIDTH, total, 5e-3, scale=20)
 
     def test_cavitation(self):
         """The suction stays at that of cavitation; what the soil does not give is vapour."""
         history, _, times, exact = self.pull(1e9, 1e-6, 4e-5, 0.0, 1.0, **{"cavitation pressure": -100e3})
         self.assertLess(exact.vapour_from, 0.3)
         # 500 Pa are what turns water into vapour
-        self.assert_within("pressure of the plate", history["contact/face/reaction y"] / WIDTH, [exact.total(t) for t in times], 8e-3,
-                           scale=100e3)
+        self.compare_values("pressure of the plate", history["contact/face/reaction y"] / WIDTH,
+                            [exact.total(t) for t in times], 8e-3, scale=100e3)
         vapour = np.array([exact.vapour(t) for t in times])
         self.assertGreater(vapour.max(), 0.3 * exact.gap(times[-1]))
-        self.assert_within("vapour", history["contact/face/film vapour"] / WIDTH, vapour, 1e-2, scale=vapour.max())
+        self.compare_values("vapour", history["contact/face/film vapour"] / WIDTH, vapour, 1e-2, scale=vapour.max())
 
 
+    @problem("behaviour")
     def test_needs_pore_water(self):
         text = deck_text("dry", {
             "mesh": {"type": "box", "cell": "quad9", "cells": [1, 1], "upper": [1.0, 1.0]},
@@ -101,6 +105,7 @@ class PulledOff(ContactCase):
         self.assertIn("contacts/face/drainage: film needs a model with the field 'pore pressure'; allowed here: sealed, drained", done.stderr)
 
 
+@problem("exact", "Reynolds' equation", "Film squeezed out between plates")
 class Squeezed(ContactCase):
     """A film of 1 mm between a plate and stiff tight soil, open at the soil's edge, closed at a given speed."""
     SPEED, VISCOSITY, FILM = 1e-4, 1e-3, 1e-3
@@ -127,7 +132,7 @@ class Squeezed(ContactCase):
             history, curvature = self.squeeze(
                 geometry, "quad9", [20, 1], [1.0, 0.1], {"contour": {**PLATE, "extent": "half", "x": [0.0, 3.0]}},
                 {**held(bottom="x y", left="x", right="x"), "edge": {"type": "pore pressure", "set": "right"}})
-            self.assert_within(geometry, history["contact/face/reaction y"], exact * curvature, 2e-3)
+            self.compare_values(geometry, history["contact/face/reaction y"], exact * curvature, 2e-3)
 
     def test_square(self):
         """A quarter of a square; the pressure is that of a membrane under a uniform load."""
@@ -139,7 +144,7 @@ class Squeezed(ContactCase):
             {"surface": {"type": "box", "length x": 6.0, "length y": 6.0, "length z": 2.0, "position": [0.0, 0.0, 1.0]}},
             {**held(bottom="x y z", left="x", right="x", front="y", back="y"),
              "edge x": {"type": "pore pressure", "set": "right"}, "edge y": {"type": "pore pressure", "set": "back"}})
-        self.assert_within("square", history["contact/face/reaction z"], exact * curvature, 5e-3)
+        self.compare_values("square", history["contact/face/reaction z"], exact * curvature, 5e-3)
 
 
 if __name__ == "__main__":

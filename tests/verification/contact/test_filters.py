@@ -3,6 +3,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import MudlineCase, deck_text
 
 # soil outside of a cone, whose wall goes from (0.5, 0) to (1, 1); {sides} of them along it
@@ -41,6 +42,7 @@ def mean(low, high, round_the_axis):
     return (sum_(high) - sum_(low)) / (area(high) - area(low))
 
 
+@problem("exact", "mean of a linear pressure over a part of the wall", "Filters")
 class Filters(MudlineCase):
     def setUp(self):
         super().setUp()
@@ -61,18 +63,18 @@ class Filters(MudlineCase):
                         self.assertEqual(set(found.values()), {0.0})
                         continue
                     exact = mean(low, high, round_the_axis)
-                    self.assert_error("mean", abs(found["pore pressure"] / exact - 1), 2e-6)
-                    self.assert_error("excess", abs(found["excess pore pressure"] / exact - 1), 2e-6)
-                    self.assert_error("estimated error", found["pore pressure error"] / exact, 2e-6)
+                    self.compare("mean", abs(found["pore pressure"] / exact - 1), 2e-6)
+                    self.compare("excess", abs(found["excess pore pressure"] / exact - 1), 2e-6)
+                    self.compare("estimated error", found["pore pressure error"] / exact, 2e-6)
                     share = (2 + low + high) / (2 + 2 * middle) if round_the_axis else 1.0
-                    self.assert_error("share", abs(found["covered share"] - share * (high - low) / height), 2e-6)
+                    self.compare("share", abs(found["covered share"] - share * (high - low) / height), 2e-6)
 
     def test_ripple_shows_in_the_error(self):
         """A pressure that goes up and down from node to node, by 1 kPa to either side: seven sides of the wall."""
         history = self.push("axisymmetric", f"{AT_FOOT} + {GROWTH}*y + 1e3*cos(7*pi*y)")
         error = history["filter/over sides/pore pressure error"][-1]
         # the line through three vertices misses the middle one by four thirds of the ripple
-        self.assert_within(0.05, error, 4e3 / 3, "error")
+        self.compare_values("error", error, 4e3 / 3, 0.05)
 
 
 if __name__ == "__main__":

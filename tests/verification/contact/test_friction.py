@@ -3,26 +3,29 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from contact_case import PRESSURE, SHEAR, ContactCase
 from mudline_case import deck_text
 from references import contact as reference
 
 
+@problem("exact", "Coulomb: shear stress is the coefficient times the pressure", "Full sliding")
 class Sliding(ContactCase):
     def sliding(self, water, settings=(), ranks=1, coefficient=0.3):
         history = self.run_deck(self.deck("sliding_plate"), settings, ranks)
         drag, force = -history["contact/face/reaction x"][-1], history["contact/face/reaction y"][-1]
         limit = coefficient * (force - water * history["contact/face/contact area"][-1])
-        self.assert_within("sliding force", drag, limit, 1e-6)
+        self.compare_values("sliding force", drag, limit, 1e-6)
         # what the plate gave is in the soil, in the springs, or has become heat
         soil = -history["balance/energy/contact/face"][-1]
         spent = history["contact/face/friction heat"][-1] + soil
-        self.assertLess(abs(history["contact/face/work"][-1] - spent), 0.1 * history["contact/face/work"][-1])
+        self.compare("work against heat of friction",
+                     abs(history["contact/face/work"][-1] - spent) / (history["contact/face/work"][-1]), 0.1)
         return history
 
     def test_effective(self):
         one, two = self.sliding(500.0), self.sliding(500.0, ranks=2)
-        self.assert_within("two ranks", two["contact/face/reaction x"][-1], one["contact/face/reaction x"][-1], 1e-9)
+        self.compare_values("two ranks", two["contact/face/reaction x"][-1], one["contact/face/reaction x"][-1], 1e-9)
 
     def test_coefficient_that_falls_with_the_speed(self):
         """The plate goes at 0.01 m/s, ten times the decay speed; the soil under it creeps by 2e-6 m/s as water leaves."""
@@ -34,9 +37,11 @@ class Sliding(ContactCase):
 
     def test_cap(self):
         history = self.run_deck(self.deck("sliding_plate"), ("contacts/face/friction/cap=100",))
-        self.assert_within("capped force", -history["contact/face/reaction x"][-1], 100 * history["contact/face/contact area"][-1], 1e-9)
+        self.compare_values("capped force", -history["contact/face/reaction x"][-1],
+                            100 * history["contact/face/contact area"][-1], 1e-9)
 
 
+@problem("exact", "alpha times the undrained strength", "Friction by the soil's strength")
 class Alpha(ContactCase):
     """The strength of an interface as a share of the touching soil's present undrained strength."""
     ALPHA = ("contacts/face/friction/coefficient=50", "contacts/face/friction/on=total",
@@ -64,7 +69,7 @@ class Alpha(ContactCase):
                 x, shear = self.surface("pulled", 0.5, SHEAR)
                 inside = (x > 0.3) & (x < 1.7) & (np.abs(x - 1) >= away)
                 self.assertGreater(inside.sum(), 5)
-                self.assert_within("shear stress", np.abs(shear[inside]) / (0.6 * strength(x[inside])), 1.0, 1e-3)
+                self.compare_values("shear stress", np.abs(shear[inside]) / (0.6 * strength(x[inside])), 1.0, 1e-3)
 
     def test_speed(self):
         """100 times the reference speed and 20 % a decade."""
@@ -72,7 +77,7 @@ class Alpha(ContactCase):
                               ("contacts/face/friction/rate coefficient=0.2",
                                "contacts/face/friction/reference speed=1e-4"))
         stress = -history["contact/face/friction x"][-1] / history["contact/face/contact area"][-1]
-        self.assert_within("shear stress", stress, 0.6 * 1e3 * 1.4, 1e-3)
+        self.compare_values("shear stress", stress, 0.6 * 1e3 * 1.4, 1e-3)
 
     def test_set_up(self):
         """Clay that has consolidated under the plate has the strength of its new specific volume v: s_u = M/2 p0
@@ -105,10 +110,11 @@ class Alpha(ContactCase):
         start = 0.5 * ratio * stress * 0.5 ** (1 - swelling / compression)
         volume = (1 + void_ratio) * history["probe/top/displacement y"][history.time <= 1e8][-1] / height
         shear = -history["contact/face/friction x"] / history["contact/face/contact area"]
-        self.assert_within("drag after set-up", shear[-1], 0.6 * start * np.exp(-volume / compression), 0.01)
+        self.compare_values("drag after set-up", shear[-1], 0.6 * start * np.exp(-volume / compression), 0.01)
         self.assertGreater(np.exp(-volume / compression), 1.5)
 
 
+@problem("exact", "Cattaneo and Mindlin, after Johnson (1985)", "Partial slip under a cylinder")
 class PartialSlip(ContactCase):
     def test_penalty(self):
         self.cattaneo_mindlin()
@@ -128,16 +134,17 @@ class PartialSlip(ContactCase):
         self.assertLess(stick, 0.8 * a)
         x, pressure, stress = self.surface("partial_slip", 0.0, PRESSURE, SHEAR)
         x = x - history["body/cylinder/displacement x"][-1]
-        self.assert_within("largest pressure", pressure.max(), p0, 0.02)
+        self.compare_values("largest pressure", pressure.max(), p0, 0.02)
         # nodal stresses are means over the elements around: away from the edges, where the slope is infinite
         error = np.abs(stress - reference.partial_slip(x, a, stick, 0.3 * p0)) / (0.3 * p0)
         smooth = np.minimum(np.abs(np.abs(x) - a), np.abs(np.abs(x) - stick)) > 0.0014
-        self.assert_within("shear stress", error[smooth], 0.0, largest, 1.0)
-        self.assert_within("mean error of the shear stress", error[np.abs(x) < a].mean(), 0.0, mean, 1.0)
-        self.assert_within("shear stress in the middle", np.interp(0.0, x, stress), reference.partial_slip(0.0, a, stick, 0.3 * p0), 0.02, 0.3 * p0)
+        self.compare_values("shear stress", error[smooth], 0.0, largest, 1.0)
+        self.compare_values("mean error of the shear stress", error[np.abs(x) < a].mean(), 0.0, mean, 1.0)
+        self.compare_values("shear stress in the middle", np.interp(0.0, x, stress),
+                            reference.partial_slip(0.0, a, stick, 0.3 * p0), 0.02, 0.3 * p0)
         # the points that slide are those outside the stick zone
         slides = history["contact/face/sliding points"][-1] / history["contact/face/active points"][-1]
-        self.assert_within("sliding share", slides, 1 - stick / a, 0.07, 1.0)
+        self.compare_values("sliding share", slides, 1 - stick / a, 0.07, 1.0)
         return history
 
 

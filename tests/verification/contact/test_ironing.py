@@ -3,11 +3,13 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from contact_case import ContactCase
 
 ELEMENT = 0.25
 
 
+@problem("consistency", title="Ironing, smooth contours")
 class Ironing(ContactCase):
     def drag(self, approximation):
         settings = [f"bodies/die/contour/approximation={approximation}"]
@@ -26,7 +28,7 @@ class Ironing(ContactCase):
         self.assertGreater(facets, 10 * exact)
         self.assertGreater(facets, 10 * bezier)
         # the smoothed curve is the cylinder's to 1e-3
-        self.assert_within("normal force", smoothed, normal, 1e-3)
+        self.compare_values("normal force", smoothed, normal, 1e-3)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ import unittest
 import h5py
 import numpy as np
 
+from compared_case import problem
 from contact_case import PRESSURE
 from mudline_case import deck_text, program
 from references import contact as reference
@@ -37,6 +38,7 @@ FOCUS = """<ParameterList name="focus">
 """
 
 
+@problem("exact", "Hertz, after Johnson (1985); equilibrium", "Nodes against segments")
 class Nodes(SlidingBlocks):
     overlay = property(lambda self: self.deck("node_to_segment"))
 
@@ -56,7 +58,7 @@ class Nodes(SlidingBlocks):
         pressure = pressure[pressure != 0] / 100
         if os.environ.get("MUDLINE_SHOW_ERRORS"):
             print(f"patch {settings}: pressure {pressure.min():.3f} to {pressure.max():.3f}, level {np.ptp(way) / abs(way.mean()):.1e}")
-        self.assert_within("confined", way.mean(), -1.192857142857e-5, 0.02)
+        self.compare_values("confined", way.mean(), -1.192857142857e-5, 0.02)
         return max(pressure.max() - 1, 1 - pressure.min()), np.ptp(way) / abs(way.mean())
 
     def test_patch(self):
@@ -68,7 +70,7 @@ class Nodes(SlidingBlocks):
             self.assertGreater(stress, 0.01)  # else the documents are wrong
             self.assertLess(level, 1e-3)
         pressed = ("mesh/order=1", "contacts/face/master surface=sides", "contacts/face/enforcement=penalty")
-        self.assert_within("2 ranks", self.patch(*pressed, ranks=2), self.patch(*pressed), 1e-6, 1.0)
+        self.compare_values("2 ranks", self.patch(*pressed, ranks=2), self.patch(*pressed), 1e-6, 1.0)
 
     def test_patch_of_meshes_that_match(self):
         with open(os.path.join(os.path.dirname(self.deck("blocks")), "blocks.geo")) as file:
@@ -78,7 +80,7 @@ class Nodes(SlidingBlocks):
             self.run_deck([self.deck("blocks"), self.overlay], (f"mesh/file={mesh}", f"contacts/face/master surface={surface}"))
             pressure = self.last_step("blocks")[2]
             self.assertGreater(np.count_nonzero(pressure), 6)
-            self.assert_within(surface, pressure[pressure != 0], 100, 1e-6)
+            self.compare_values(surface, pressure[pressure != 0], 100, 1e-6)
 
     def cylinders(self, *settings):
         """Distance from the centre, in half widths, and contact pressure over Hertz' largest, of the nodes that touch."""
@@ -97,8 +99,8 @@ class Nodes(SlidingBlocks):
             x, pressure = self.cylinders(*settings)
             exact = reference.hertz_pressure(x, 1.0, 1.0)
             inside = (x < 0.8) & (x > 0)
-            self.assert_within(what + ": largest pressure", pressure[0], 1.0, largest)
-            self.assert_within(what + ": inside", pressure[inside], exact[inside], rest, 1.0)
+            self.compare_values(what + ": largest pressure", pressure[0], 1.0, largest)
+            self.compare_values(what + ": inside", pressure[inside], exact[inside], rest, 1.0)
 
     def ripple(self, surface):
         history = self.run_deck(self.deck("rotating_die"), (f"contacts/face/master surface={surface}",))
@@ -110,15 +112,18 @@ class Nodes(SlidingBlocks):
                   f"Newton iterations {history['step/newton iterations'].max():.0f}")
         return np.ptp(force) / abs(force.mean()), np.ptp(drag) / abs(force.mean())
 
+    @problem("behaviour")
     def test_smoothed_master_ripples_ten_times_less(self):
         facets = self.ripple("linear")
         for surface in ("hermite", "bezier"):
             for smooth, rough in zip(self.ripple(surface), facets):
                 self.assertLess(10 * smooth, rough)
 
+    @problem("consistency")
     def test_friction_restart_and_ranks(self):
         self.check_sliding_blocks(self.overlay)
 
+    @problem("consistency")
     def test_friction_on_a_moving_mesh(self):
         """The inside of both blocks swings, or their outer sides slide, transfer after transfer: stick, slip and the path slid are those of the
         material mesh. Nodes of the surfaces stay where they are here; convection_test.cpp tests the transfer of history when they slide."""
@@ -129,15 +134,18 @@ class Nodes(SlidingBlocks):
             # the same steps on all meshes: a retry that one of them needs lets the steps grow otherwise
             settings = ("solver/newton/damped retry=false",) + (("contacts/face/master surface=sides",) if overlays else ())
             still, moved, slid = (self.run_deck(d, settings) for d in (decks, decks + [motion], decks + [focus]))
-            self.assert_within("path of what nothing touches", slid["body/point/displacement x"], slid.time, 1e-12)
+            self.compare_values("path of what nothing touches", slid["body/point/displacement x"], slid.time, 1e-12)
             for name, history in (("swings", moved), ("slides", slid)):
                 self.assertGreater(np.ptp(history["mesh/quality"]), 0.05)  # it does move
                 for time in (1.25, 1.5, 1.75, 2.0):
                     drag = -still.at("contact/face/force on slave x", time)
-                    self.assert_within(f"{kind}, {name}: drag at {time}", -history.at("contact/face/force on slave x", time), drag, 3e-3, 30)
-                self.assert_within(f"{kind}, {name}: load", history["contact/face/force on slave y"], 100, 1e-8)
-                self.assert_within(f"{kind}, {name}: heat", history["contact/face/friction heat"][-1], still["contact/face/friction heat"][-1], 0.01)
+                    self.compare_values(f"{kind}, {name}: drag at {time}",
+                                        -history.at("contact/face/force on slave x", time), drag, 3e-3, 30)
+                self.compare_values(f"{kind}, {name}: load", history["contact/face/force on slave y"], 100, 1e-8)
+                self.compare_values(f"{kind}, {name}: heat", history["contact/face/friction heat"][-1],
+                                    still["contact/face/friction heat"][-1], 0.01)
 
+    @problem("behaviour")
     def test_errors(self):
         def message(*settings):
             done = program(["check", self.deck("blocks"), self.overlay] + [x for s in settings for x in ("--set", s)], 1, self.folder)

@@ -5,12 +5,14 @@ import unittest
 import h5py
 import numpy as np
 
+from compared_case import problem
 from contact_case import PRESSURE
 from mudline_case import program
 from references import contact as reference
 from sliding_blocks import FORCES, HEAT_OF_STEPS, SlidingBlocks
 
 
+@problem("exact", "Hertz, after Johnson (1985); uniform stress", "Two deformable surfaces, mortar")
 class Pairs(SlidingBlocks):
     def top(self, level=1.0):
         """Displacements of the nodes that started at y = level, and the contact pressures that are not 0."""
@@ -28,15 +30,15 @@ class Pairs(SlidingBlocks):
                                                 "contacts/face/gap tolerance=1e-12", "boundary conditions/load/value=1e5"))
             way, pressure = self.top()
             self.assertGreater(len(pressure), 6)
-            self.assert_within("pressure", pressure, 1e5, 1e-8)
-            self.assert_within("level of the top", way, way.mean(), 1e-8)
+            self.compare_values("pressure", pressure, 1e5, 1e-8)
+            self.compare_values("level of the top", way, way.mean(), 1e-8)
 
     def test_patch_against_linear_elasticity(self):
         self.run_deck(self.deck("blocks"))
-        self.assert_within("confined", self.top()[0], -1.192857142857e-5, 1e-4)
+        self.compare_values("confined", self.top()[0], -1.192857142857e-5, 1e-4)
         # a free side ends where the blocks part by 3e-6 of their width
         self.run_deck(self.deck("blocks"), ("stages/press/conditions={base, left side, load}",))
-        self.assert_within("free sides", self.top()[0], -1.39e-5, 1e-4)
+        self.compare_values("free sides", self.top()[0], -1.39e-5, 1e-4)
 
     def test_two_cylinders(self):
         history = self.run_deck(self.deck("cylinders"))
@@ -48,21 +50,25 @@ class Pairs(SlidingBlocks):
         touching = np.flatnonzero(pressure)
         touching = touching[np.argsort(x[touching])]
         x, pressure = x[touching], pressure[touching]
-        self.assert_within("largest pressure", pressure[0], p0, 0.02)
-        self.assert_within("half width", history["contact/face/contact area"][-1], a, 0.1)  # 0.0016 m sides: a tenth of it
+        self.compare_values("largest pressure", pressure[0], p0, 0.02)
+        self.compare_values("half width", history["contact/face/contact area"][-1], a,
+                            0.1)  # 0.0016 m sides: a tenth of it
         for fraction in (0.25, 0.5, 0.8):
-            self.assert_within(f"pressure at {fraction} a", np.interp(fraction * a, x, pressure),
-                               reference.hertz_pressure(fraction * a, a, p0), 0.02, p0)
+            self.compare_values(f"pressure at {fraction} a", np.interp(fraction * a, x, pressure),
+                                reference.hertz_pressure(fraction * a, a, p0), 0.02, p0)
         self.assertLess(history["contact/face/weighted gap"][-1], 1.3e-9)
 
+    @problem("consistency")
     def test_friction_restart_and_ranks(self):
         history = self.check_sliding_blocks()
-        self.assert_within("what slides", history["contact/face/sliding length"][-1], history["contact/face/contact area"][-1], 1e-4)
+        self.compare_values("what slides", history["contact/face/sliding length"][-1],
+                            history["contact/face/contact area"][-1], 1e-4)
         # where rounding decides a step's size the comparison of ranks goes on; a larger first step stands for it
         other = self.table([os.path.join(self.folder, "slide.xml")], "--set", "stages/slide/time step/initial=0.0625")[1]
         self.assertNotEqual(len(history.time), len(other.time))
         self.assert_same_run(history, other, FORCES, "other steps", steps=HEAT_OF_STEPS)
 
+    @problem("behaviour")
     def test_errors(self):
         def message(*settings):
             done = program(["check", self.deck("blocks")] + [x for s in settings for x in ("--set", s)], 1, self.folder)

@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from contact_case import ContactCase
 from mudline_case import deck_text
 from references.suction import PulledPlate
@@ -34,6 +35,7 @@ def saturated(region, young, conductivity):
             "permeability": {"type": "constant", "hydraulic conductivity": conductivity}}
 
 
+@problem("exact", "series solution in references/suction.py", "Two blocks pulled apart")
 class PulledApart(ContactCase):
     """A stiff drained block is pulled off a column of clay: the film between them is that of a rigid plate."""
 
@@ -68,20 +70,22 @@ class PulledApart(ContactCase):
         """Tolerances are those of the rigid plate (test_film.py)."""
         history, pulled, times, exact = self.pull(1e7, 1e-6, 2e-9, 10.0, 1.5)
         total = np.array([exact.total(t) for t in times])
-        self.assert_within("force on the column", -history["contact/face/force on slave y"][pulled] / WIDTH, total, 5e-3,
-                           scale=np.max(np.abs(total)))
-        self.assert_within("of the film", -history["contact/face/film force y"][pulled][-1] / WIDTH, total[-1], 5e-3)
+        self.compare_values("force on the column", -history["contact/face/force on slave y"][pulled] / WIDTH, total,
+                            5e-3, scale=np.max(np.abs(total)))
+        self.compare_values("of the film", -history["contact/face/film force y"][pulled][-1] / WIDTH, total[-1], 5e-3)
         gap = np.array([exact.gap(t) for t in times])
-        self.assert_within("water in the gap", history["contact/face/film water"][pulled] / WIDTH, gap, 5e-3, scale=gap.max())
+        self.compare_values("water in the gap", history["contact/face/film water"][pulled] / WIDTH, gap, 5e-3,
+                            scale=gap.max())
 
     def test_cavitation(self):
         history, _, times, exact = self.pull(1e9, 1e-6, 4e-5, 0.0, 1.0, **{"cavitation pressure": -100e3})
-        self.assert_within("force on the column", -history["contact/face/force on slave y"] / WIDTH, [exact.total(t) for t in times], 8e-3,
-                           scale=100e3)
+        self.compare_values("force on the column", -history["contact/face/force on slave y"] / WIDTH,
+                            [exact.total(t) for t in times], 8e-3, scale=100e3)
         vapour = np.array([exact.vapour(t) for t in times])
-        self.assert_within("vapour", history["contact/face/film vapour"] / WIDTH, vapour, 1e-2, scale=vapour.max())
+        self.compare_values("vapour", history["contact/face/film vapour"] / WIDTH, vapour, 1e-2, scale=vapour.max())
 
 
+@problem("consistency", title="Blocks that are remeshed while they slide")
 class Remeshed(ContactCase):
     """The upper of two blocks is pressed and dragged while both are remeshed every second step."""
 
@@ -95,11 +99,11 @@ class Remeshed(ContactCase):
         for time in (1.25, 1.5, 1.75, 2.0):
             drag = -still.at("contact/face/force on slave x", time)
             self.assertGreater(drag, 5)
-            self.assert_within(f"drag at {time}", -moved.at("contact/face/force on slave x", time), drag, 5e-3, 30)
-        self.assert_within("load", moved["contact/face/force on slave y"], 100, 1e-3)
+            self.compare_values(f"drag at {time}", -moved.at("contact/face/force on slave x", time), drag, 5e-3, 30)
+        self.compare_values("load", moved["contact/face/force on slave y"], 100, 1e-3)
         heat = still["contact/face/friction heat"][-1]
         self.assertGreater(heat, 1e-3)
-        self.assert_within("heat", moved["contact/face/friction heat"][-1], heat, 0.01)
+        self.compare_values("heat", moved["contact/face/friction heat"][-1], heat, 0.01)
 
     def test_mortar(self):
         """With multipliers, which are transferred."""

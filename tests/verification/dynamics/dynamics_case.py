@@ -42,9 +42,6 @@ class DynamicsCase(MudlineCase):
     def pressure(self, history, probe, times):
         return between(history, f"probe/{probe}/pore pressure", times)
 
-    def assert_within(self, what, value, exact, tolerance, scale):
-        """Largest |value - exact| within tolerance * scale."""
-        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact)) / scale, tolerance)
 
 
 def between(history, name, times):

@@ -5,6 +5,7 @@ import unittest
 import h5py
 import numpy as np
 
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase, deck_text, program
 from references import biot
 
@@ -40,6 +41,7 @@ A = -B / 4
 EXACT = 2 * np.pi * 0.5 * (2 * SHEAR * B - 2 * (LAME + SHEAR) * A)
 
 
+@problem("exact", "the true error, from Lamé's solution", "Error estimate, elastic cylinder")
 class Elastic(MudlineCase):
     def run_cylinder(self, cell, cells, ranks=1):
         name = f"{cell}_{cells}_{ranks}"
@@ -56,22 +58,24 @@ class Elastic(MudlineCase):
                 force, error = history["reaction/inside x"][-1], history["reaction/inside x error"][-1]
                 share, true = history["mesh/stress error"][-1], force / EXACT - 1
                 self.assertGreater(true, 1e-9)
-                self.assert_within(0.1, share, np.sqrt(true), f"{cell}, {cells} cells: error of the stress")
-                self.assert_within(0.2, error, force - EXACT, f"{cell}, {cells} cells: error of the force")
+                self.compare_values(f"{cell}, {cells} cells: error of the stress", share, np.sqrt(true), 0.1)
+                self.compare_values(f"{cell}, {cells} cells: error of the force", error, force - EXACT, 0.2)
                 found.append(share)
-            self.assert_within(0.1, np.log2(found[0] / found[1]), 2.0, f"{cell}: order")
+            self.compare_values(f"{cell}: order", np.log2(found[0] / found[1]), 2.0, 0.1)
 
+    @problem("consistency")
     def test_ranks_agree(self):
         one, two = self.run_cylinder("tri6", 8), self.run_cylinder("tri6", 8, ranks=2)
         for column in ("mesh/stress error", "reaction/inside x error"):
-            self.assert_within(1e-8, two[column][-1], one[column][-1], column)
+            self.compare_values(column, two[column][-1], one[column][-1], 1e-8)
         fields = [h5py.File(os.path.join(self.folder, "results", f"tri6_8_{ranks}.h5"), "r") for ranks in (1, 2)]
         for name in ("error_stress", "error_wanted_size"):
             a, b = (file["steps"][sorted(file["steps"])[-1]]["cell/" + name][:] for file in fields)
             self.assertGreater(a.min(), 0)
-            self.assertLess(np.abs(a / b - 1).max(), 1e-8, name)
+            self.compare(name, np.abs(a / b - 1).max(), 1e-8)
 
 
+@problem("exact", "the true error, from Terzaghi's series", "Error estimate, flow")
 class Flow(MudlineCase):
     def test_gradient_and_pressure_of_terzaghis_column(self):
         """The gradient's effectivity within a tenth, and the error of a probe's pressure is that of its elements."""
@@ -91,14 +95,14 @@ class Flow(MudlineCase):
             true = np.sqrt(np.mean((own - slope) ** 2))
             share = history["mesh/flow error"][-1]
             found = share / np.sqrt(1 - share ** 2) * np.sqrt(np.mean(own ** 2))
-            self.assert_within(0.1, found, true, f"{cells} cells: gradient")
+            self.compare_values(f"{cells} cells: gradient", found, true, 0.1)
             shares.append(share)
             # at three quarters of the height, beside which the pressure is most curved, linear cells are off by about
             # h^2 p'' / sqrt(120)
             curvature = (column.pressure(0.25 - 1e-3, 0.1) - 2 * column.pressure(0.25, 0.1) + column.pressure(0.25 + 1e-3, 0.1)) / 1e-6
-            self.assert_within(0.15, history["probe/quarter/pore pressure error"][-1], abs(curvature) / cells ** 2 / np.sqrt(120),
-                               f"{cells} cells: probe")
-        self.assert_within(0.1, np.log2(shares[0] / shares[1]), 1.0, "order")
+            self.compare_values(f"{cells} cells: probe", history["probe/quarter/pore pressure error"][-1],
+                                abs(curvature) / cells ** 2 / np.sqrt(120), 0.15)
+        self.compare_values("order", np.log2(shares[0] / shares[1]), 1.0, 0.1)
 
     def pressures(self, stem):
         with h5py.File(os.path.join(self.folder, "results", stem + ".h5"), "r") as file:
@@ -109,6 +113,7 @@ class Flow(MudlineCase):
         return p[sorted(left, key=lambda node: x[node, 1])]
 
 
+@problem("consistency", title="Error estimate, strip footing against a fine mesh")
 class Footing(MudlineCase):
     """A strip footing on graded meshes: its force's estimate against the difference to a fine mesh."""
     DECK = os.path.join(ROOT, "inputs", "bearing_capacity", "strip_tresca.xml")
@@ -137,9 +142,10 @@ class Footing(MudlineCase):
         for force, error in found[:-1]:
             true = force - found[-1][0]
             self.assertGreater(true, 0)
-            self.assertLess(abs(np.log2(error / true)), 1, f"estimated {error:.4g}, true {true:.4g}")
+            self.compare(f"estimated {error:.4g}, true {true:.4g}", abs(np.log2(error / true)), 1)
 
 
+@problem("behaviour", title="Error estimate, restart")
 class Restart(MudlineCase):
     def test_goes_on_as_if_it_had_not_stopped(self):
         deck = self.write("deck.xml", deck_text("cylinder", cylinder("quad9", 4)))

@@ -5,6 +5,7 @@ import unittest
 import h5py
 import numpy as np
 
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase, deck_text
 from references import biot
 
@@ -86,6 +87,8 @@ def seepage(cell, value, geometry, lower, upper, cells):
     }
 
 
+@problem("exact", "the true error, from harmonic pressures and Terzaghi's series",
+         "Estimated error of the pore pressure")
 class Pressure(MudlineCase):
     """Effectivity (estimated over true error) of the whole field between a half and two, for every shape of cell."""
 
@@ -108,30 +111,36 @@ class Pressure(MudlineCase):
         for cell in PLANE:
             self.flow(name, cell, value, geometry, lower, upper, 8, exact)
 
+    @problem("behaviour")
     def test_exponential(self):
         """Curvatures of opposite sign: the errors of square cells vanish at their own quadrature points."""
         self.in_plane("exponential", "1000*exp(2*x)*cos(2*y)", lambda x, y: 1000 * np.exp(2 * x) * np.cos(2 * y))
 
+    @problem("behaviour")
     def test_saddle(self):
         """A mixed curvature beside the other ones, on cells that are not square."""
         self.in_plane("saddle", "1000*(x^3-3*x*y^2+2*(3*x^2*y-y^3))", lambda x, y: 1000 * (x ** 3 - 3 * x * y ** 2 + 2 * (3 * x ** 2 * y - y ** 3)),
                       upper=(2.0, 1.0))
 
+    @problem("behaviour")
     def test_well(self):
         """Flow to a well in axial symmetry."""
         self.in_plane("well", "1000*log(x)", lambda r, z: 1000 * np.log(r), "axisymmetric", (1.0, 0.0), (3.0, 1.0))
 
+    @problem("behaviour")
     def test_exponential_in_space(self):
         for cell in SPACE:
             self.flow("in_space", cell, "1000*exp(2*x)*cos(1.2*y)*cos(1.6*z)", "three-dimensional", (0.0,) * 3, (1.0,) * 3, 4,
                       lambda x, y, z: 1000 * np.exp(2 * x) * np.cos(1.2 * y) * np.cos(1.6 * z))
 
+    @problem("behaviour")
     def test_source_in_space(self):
         """Flow from a point outside."""
         for cell in SPACE:
             self.flow("source", cell, "1000/sqrt((x+1)^2+y^2+z^2)", "three-dimensional", (0.0,) * 3, (1.0,) * 3, 4,
                       lambda x, y, z: 1000 / np.sqrt((x + 1) ** 2 + y ** 2 + z ** 2))
 
+    @problem("behaviour")
     def test_consolidation(self):
         """Terzaghi's column at a time factor of a tenth."""
         exact = biot.Column(biot.INCOMPRESSIBLE, load=10.0)

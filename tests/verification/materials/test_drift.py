@@ -8,6 +8,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import MudlineCase, point_deck
 
 TOLERANCE = 1e-9  # the default `yield tolerance`
@@ -80,7 +81,9 @@ LAWS = {"clay": (CLAY, cam_clay("none")),
         "metal": (dict(ELASTIC, **{"type": "von mises", "yield stress": 40e3, "hardening modulus": 50e3}), von_mises)}
 
 
+@problem("exact", "the yield functions", "Drift from the yield surface")
 class Drift(MudlineCase):
+    @problem("behaviour")
     def test_no_law_leaves_its_surface(self):
         for name, (skeleton, yield_function) in LAWS.items():
             for method in METHODS:
@@ -96,6 +99,7 @@ class Drift(MudlineCase):
                     self.assertLess(f.max(), 2 * TOLERANCE, f"{name}, {method}")
                     self.assertGreater(np.mean(np.abs(f) < TOLERANCE * 10), 0.8, "it should yield most of the way")
 
+    @problem("behaviour")
     def test_yield_tolerance(self):
         """What lies outside by less than the tolerance is left there; the rest is taken back."""
         skeleton, yield_function = LAWS["sand"]

@@ -5,6 +5,7 @@ import unittest
 import numpy as np
 
 import h5py
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase, point_deck
 
 E, NU = 2e7, 0.25
@@ -40,6 +41,7 @@ BLOCK = """<ParameterList name="block">
 """
 
 
+@problem("exact", "linear elasticity in closed form", "Point tests of linear elastic soil")
 class PointTests(MudlineCase):
     def point(self, tests, skeleton=ELASTIC, void_ratio=0.8, extra=""):
         return self.run_point(self.write("soil.xml", point_deck(skeleton, tests, void_ratio, extra)))
@@ -50,18 +52,16 @@ class PointTests(MudlineCase):
         for steps in (50, 100, 200, 400, 3200):
             history = self.point({"shear": {"type": "simple shear", "shear strain": [5.0], "steps": steps, "initial state": START}})["shear"]
             gamma = history["shear strain xy"]
-            self.assertAlmostEqual(gamma[-1], 5.0, delta=1e-12)
+            self.compare("shear strain", abs(gamma[-1] - 5.0), 1e-12)
             exact = {"shear stress xy": G * np.sin(gamma), "effective stress xx": 1e5 - G * (1 - np.cos(gamma)),
                      "effective stress yy": 1e5 + G * (1 - np.cos(gamma)), "effective stress zz": 1e5 + 0 * gamma}
             errors.append(max(np.abs(history[name] - value).max() for name, value in exact.items()) / G)
-            np.testing.assert_allclose(history["void ratio"], 0.8, rtol=1e-13)
+            self.compare_values("void ratio", history["void ratio"], 0.8, 1e-13)
             np.testing.assert_allclose(history["excess pore pressure"], 1e5 - exact["effective stress yy"], atol=2 * errors[-1] * G)
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print("simple shear, 50 to 3200 steps:", " ".join(f"{e:.2e}" for e in errors))
-        for coarse, fine in zip(errors[:3], errors[1:4]):
-            self.assertAlmostEqual(np.log2(coarse / fine), 2, delta=0.05)
-        self.assertLess(errors[-1], 2e-6)
+        self.compare_orders("order in the increment", errors[:4], 2 - 0.05, 2 + 0.05, all_orders=True)
+        self.compare("stress, 3200 steps", errors[-1], 2e-6)
 
+    @problem("consistency")
     def test_finite_elements_turn_alike(self):
         """The same steps of simple shear in a finite element and in a point: the same stresses and void ratio."""
         start = {"effective stress xx": 6e4, "effective stress yy": 1e5, "effective stress zz": 6e4}
@@ -82,9 +82,10 @@ class PointTests(MudlineCase):
             size = np.abs([xx, yy, zz, xy]).max()
             for component, value in (("effective stress xx", xx), ("effective stress yy", yy), ("effective stress zz", zz),
                                      ("shear stress xy", xy)):
-                self.assertAlmostEqual(point[component][-1] / size, value / size, delta=1e-8, msg=f"{name}: {component}")
-            self.assertAlmostEqual(point["void ratio"][-1], void_ratio, delta=1e-10)
+                self.compare(f"{name}: {component}", abs(point[component][-1] / size - (value / size)), 1e-8)
+            self.compare(f"{name}: void ratio", abs(point["void ratio"][-1] - void_ratio), 1e-10)
 
+    @problem("behaviour")
     def test_tests_beside_a_full_run(self):
         """Tests as an overlay of the deck of a run: its soil, its overconsolidation, nothing else of it."""
         tests = {"CU": {"type": "triaxial undrained", "axial strain": [0.1], "initial state": {"vertical effective stress": 2e4}}}
@@ -97,8 +98,9 @@ class PointTests(MudlineCase):
         shear = {"type": "simple shear", "drainage": "drained", "shear strain": [1.0, -0.5], "steps": 400,
                  "initial state": {"vertical effective stress": 1e5}}
         history = self.point({"shear": shear}, CLAY)["shear"]
-        np.testing.assert_allclose(history["effective stress yy"], 1e5, rtol=1e-9)
-        np.testing.assert_allclose(1 + history["void ratio"], 1.8 * np.exp(-history["volumetric strain"]), rtol=1e-12)
+        self.compare_values("effective stress yy", history["effective stress yy"], 1e5, 1e-9)
+        self.compare_values("void ratio", 1 + history["void ratio"], 1.8 * np.exp(-history["volumetric strain"]),
+                            1e-12)
         self.assertGreater(history["volumetric strain"][-1], 0.02)
         self.assertNotIn("excess pore pressure", history.columns)
 
@@ -124,20 +126,24 @@ class PointTests(MudlineCase):
                     ("biaxial", "strain xx", -NU / (1 - NU) * axial), ("biaxial", "strain zz", 0.0),
                     ("biaxial_cu", "stress difference", 4 * G * axial), ("biaxial_cu", "excess pore pressure", 2 * G * axial)]
         for test, name, value in expected:
-            self.assertAlmostEqual(end(test, name), value, delta=1e-9 * max(abs(value), 1e-3), msg=f"{test}: {name}")
+            self.compare(f"{test}: {name}", abs(end(test, name) - value) / (max(abs(value), 1e-3)), 1e-9)
 
     def test_strain_measures_and_time(self):
         tests = {"log": {"type": "oedometer", "axial strain": [0.2, 0.1], "strain rate": 1e-3, "steps": 10, "initial state": START},
                  "engineering": {"type": "oedometer", "axial strain": [0.2, 0.1], "strain measure": "engineering", "steps": 10,
                                  "initial state": START}}
         h = self.point(tests)
-        self.assertAlmostEqual(h["log"]["axial strain"][10], 0.2, delta=1e-13)
-        self.assertAlmostEqual(h["log"]["engineering axial strain"][10], 1 - np.exp(-0.2), delta=1e-13)
-        self.assertAlmostEqual(h["engineering"]["engineering axial strain"][10], 0.2, delta=1e-13)
-        self.assertAlmostEqual(h["engineering"]["engineering volumetric strain"][20], 0.1, delta=1e-13)
-        self.assertAlmostEqual(h["engineering"]["axial strain"][20], -np.log(0.9), delta=1e-13)
-        np.testing.assert_allclose(h["log"].time, np.concatenate((np.linspace(0, 200, 11), np.linspace(210, 300, 10))), rtol=1e-12)
-        np.testing.assert_allclose(1 + h["log"]["void ratio"], 1.8 * np.exp(-h["log"]["volumetric strain"]), rtol=1e-13)
+        self.compare("axial strain", abs(h["log"]["axial strain"][10] - 0.2), 1e-13)
+        self.compare("engineering axial strain", abs(h["log"]["engineering axial strain"][10] - (1 - np.exp(-0.2))),
+                     1e-13)
+        self.compare("engineering axial strain", abs(h["engineering"]["engineering axial strain"][10] - 0.2), 1e-13)
+        self.compare("engineering volumetric strain",
+                     abs(h["engineering"]["engineering volumetric strain"][20] - 0.1), 1e-13)
+        self.compare("axial strain", abs(h["engineering"]["axial strain"][20] - (-np.log(0.9))), 1e-13)
+        self.compare_values("time", h["log"].time,
+                            np.concatenate((np.linspace(0, 200, 11), np.linspace(210, 300, 10))), 1e-12)
+        self.compare_values("void ratio", 1 + h["log"]["void ratio"], 1.8 * np.exp(-h["log"]["volumetric strain"]),
+                            1e-13)
 
     def test_void_ratio_from_law(self):
         """v = N - lambda ln(pc/1 kPa) + kappa ln(pc/p'); a void ratio of the test itself goes before."""
@@ -147,12 +153,16 @@ class PointTests(MudlineCase):
         text = point_deck(skeleton, {"law": test}).replace('<Parameter name="void ratio" type="double" value="1.0"/>',
                                                            '<Parameter name="void ratio from law" type="bool" value="true"/>')
         history = self.run_point(self.write("law.xml", text))["law"]
-        self.assertAlmostEqual(history["void ratio"][0], 2.9 - 0.2 * np.log(200) + 0.04 * np.log(2) - 1, delta=1e-12)
-        self.assertAlmostEqual(history["preconsolidation pressure"][0], 2e5, delta=1e-4)
+        self.compare("void ratio", abs(history["void ratio"][0] - (2.9 - 0.2 * np.log(200) + 0.04 * np.log(2) - 1)),
+                     1e-12)
+        self.compare("preconsolidation pressure", abs(history["preconsolidation pressure"][0] - 2e5), 1e-4)
         history = self.run_point(self.write("given.xml", text), ["tests/law/initial state/overconsolidation ratio=1", "tests/law/initial state/void ratio=0.8"])["law"]
         self.assertEqual(history["void ratio"][0], 0.8)
-        self.assertAlmostEqual(history["preconsolidation pressure"][0], 1e3 * np.exp((2.9 - 1.8 - 0.04 * np.log(100)) / 0.16), delta=1e-4)
+        self.compare("preconsolidation pressure",
+                     abs(history["preconsolidation pressure"][0]
+                         - (1e3 * np.exp((2.9 - 1.8 - 0.04 * np.log(100)) / 0.16))), 1e-4)
 
+    @problem("consistency")
     def test_path_repeats_the_others(self):
         """Strains and stresses as functions of time give what the named tests give."""
         functions = """<ParameterList name="functions"><ParameterList name="down"><Parameter name="type" type="string" value="table"/>
@@ -166,8 +176,9 @@ class PointTests(MudlineCase):
                  "path oedometer": {"type": "path", "duration": 3.0, "steps": 100, "effective stress yy": "1e5*(1+t)", "initial state": start}}
         h = self.point(tests, CLAY, extra=functions)
         for name in ("effective stress yy", "void ratio", "preconsolidation pressure", "strain xx"):
-            self.assertAlmostEqual(h["cd"][name][200], h["path_cd"][name][200], delta=1e-4 * abs(h["cd"][name][200]))
-            np.testing.assert_allclose(h["oedometer"][name], h["path_oedometer"][name], rtol=1e-8)
+            self.compare(f"triaxial, {name}",
+                         abs(h["cd"][name][200] - h["path_cd"][name][200]) / abs(h["cd"][name][200]), 1e-4)
+            self.compare_values(f"oedometer, {name}", h["oedometer"][name], h["path_oedometer"][name], 1e-8)
 
     def test_cyclic_shear_by_stress(self):
         """All six components: shear stresses prescribed, normal stresses kept, Newton on the full tangent."""
@@ -176,8 +187,9 @@ class PointTests(MudlineCase):
                 "initial state": dict(START, **{"overconsolidation ratio": 1.5})}
         h = self.point({"cyclic": test}, CLAY)["cyclic"]
         np.testing.assert_allclose(h["shear stress xy"], 8e3 * np.sin(2 * np.pi * h.time), atol=1e-4)
-        np.testing.assert_allclose(h["mean effective stress"], 1e5, rtol=1e-9)
+        self.compare_values("mean effective stress", h["mean effective stress"], 1e5, 1e-9)
 
+    @problem("behaviour")
     def test_report_and_picture(self):
         """--png draws all tests; the report of one test is an HTML page."""
         from mudline_case import program
@@ -193,6 +205,7 @@ class PointTests(MudlineCase):
         with open(os.path.join(self.folder, "results", "soil_a_b_report.html")) as file:
             self.assertIn('<h2 id="test">', file.read())
 
+    @problem("behaviour")
     def test_end_of_the_law(self):
         """Mean stress beyond what the soil can follow: what was reached stays, exit code 3."""
         from mudline_case import program

@@ -8,6 +8,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import ROOT, History, MudlineCase, point_deck, program
 from references.small_strain import Curve
 
@@ -50,15 +51,13 @@ def path(steps=80, duration=1.0, **components):
     return test
 
 
+@problem("exact", "Hardin and Drnevich, Santos and Correia, Masing", "Small-strain stiffness")
 class SmallStrain(MudlineCase):
     def point(self, skeleton, tests):
         return self.run_point(self.write("soil.xml", point_deck(skeleton, tests, 1.0)))
 
     def close(self, what, found, exact, allowed):
-        error = np.abs(found - exact).max()
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{what}: {error:.2e} (allowed {allowed:.1e})")
-        self.assertLess(error, allowed, what)
+        self.compare(what, np.abs(found - exact).max(), allowed)
 
     def test_curve(self):
         """First loading in simple shear from 1e-6 to 1 %: the secant modulus of each law, and its strength."""

@@ -2,6 +2,7 @@
 import os
 import unittest
 
+from compared_case import problem
 from grid_file import Grid
 from mudline_case import MudlineCase, deck_text
 
@@ -9,6 +10,7 @@ YOUNG, POISSON, LOAD = 1e7, 0.3, 1e4
 CONSTRAINED = YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))
 
 
+@problem("exact", "one-dimensional compression", "Groups of mesh files")
 class Groups(MudlineCase):
     def squeeze(self, grid, side_rollers, **file):
         """A confined slab under a load of LOAD on its top: the histories of a run."""
@@ -29,8 +31,8 @@ class Groups(MudlineCase):
     def assert_squeezed(self, grid, side_rollers, **file):
         history, up = self.squeeze(grid, side_rollers, **file)
         # small strains: the load over the stiffness makes 7e-4, and the solution of large strains differs by about that
-        self.assert_within(2e-3, history[f"probe/top/displacement {up}"][-1], -LOAD / CONSTRAINED, "settlement")
-        self.assert_within(1e-8, history[f"reaction/base {up}"][-1], LOAD, "reaction of the base")
+        self.compare_values("settlement", history[f"probe/top/displacement {up}"][-1], -LOAD / CONSTRAINED, 2e-3)
+        self.compare_values("reaction of the base", history[f"reaction/base {up}"][-1], LOAD, 1e-8)
 
     def test_one_elementary_tag_for_all(self):
         """Before, every side was in every group: held everywhere, it did not settle, and nothing was said."""

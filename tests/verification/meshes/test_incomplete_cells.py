@@ -6,6 +6,7 @@ import unittest
 import h5py
 import numpy as np
 
+from compared_case import problem
 from grid_file import SIDES, SIDES_IN_SPACE, Grid
 from mudline_case import MudlineCase, deck_text, program
 
@@ -30,6 +31,7 @@ def moved_inside(x):
     return x + inside * np.array([0.09, 0.08, -0.07])[:x.shape[1]]
 
 
+@problem("exact", "uniform strain, pure bending, weight", "Cells of 8 and 20 nodes")
 class IncompleteCells(MudlineCase):
     def deck(self, grid, conditions, physics=None, **mesh):
         path = grid.write(os.path.join(self.folder, "mesh.msh"))
@@ -51,9 +53,6 @@ class IncompleteCells(MudlineCase):
             self.displacement = last["nodal/displacement"][:][:, :grid.dim]
             self.stress = last["cell/effective_stress"][:]
 
-    def assert_near(self, what, found, exact, tolerance, scale):
-        self.assert_error(what, np.abs(found - exact).max() / scale, tolerance)
-
     def test_uniform_strain_on_curved_cells(self):
         gradient = 1e-5 * np.array([[1.0, 0.4, -0.3], [-0.2, -0.7, 0.5], [0.6, 0.1, 0.45]])
         for nodes, physics in ((8, "solid"), (8, "biot"), (20, "solid"), (20, "biot")):
@@ -68,8 +67,8 @@ class IncompleteCells(MudlineCase):
                 self.run_grid(grid, conditions, {"type": physics})
                 self.assertEqual(len(self.places), np.prod(2 * np.array(CELLS[nodes]) + 1))
                 exact = self.places @ slope.T
-                self.assert_near("displacement", self.displacement, exact, 1e-10, np.abs(exact).max())
-                self.assert_near("uniform stress", self.stress, self.stress[0], 1e-9, np.abs(self.stress).max())
+                self.compare_values("displacement", self.displacement, exact, 1e-10, np.abs(exact).max())
+                self.compare_values("uniform stress", self.stress, self.stress[0], 1e-9, np.abs(self.stress).max())
 
     def test_bending_is_exact_on_distorted_cells(self):
         """Pure bending: quadratic displacements, which cells of 8 and 20 nodes hold on parallelograms only."""
@@ -91,7 +90,7 @@ class IncompleteCells(MudlineCase):
                                      "pull": {"type": "traction", "set": "right", "x": pull.replace("m", repr(modulus * curvature))}})
                 x = dict(zip(AXES[grid.dim], self.places.T), k=curvature)
                 true = np.stack([eval(text, {}, x) for text in exact.values()], axis=1)  # noqa: S307
-                self.assert_near("displacement", self.displacement, true, 1e-5, np.abs(true).max())
+                self.compare_values("displacement", self.displacement, true, 1e-5, np.abs(true).max())
 
     def test_weight_of_curved_cells(self):
         for nodes in (8, 20):
@@ -101,8 +100,9 @@ class IncompleteCells(MudlineCase):
                 gravity = [0.0] * (grid.dim - 1) + [-GRAVITY]
                 self.run_grid(grid, {"base": {"type": "fixed", "set": "bottom"}}, {"gravity": gravity})
                 weight = DENSITY * GRAVITY * grid.volume()
-                self.assert_near("weight", self.history[f"reaction/base {up}"][-1], weight, 1e-9, weight)
+                self.compare_values("weight", self.history[f"reaction/base {up}"][-1], weight, 1e-9, weight)
 
+    @problem("behaviour")
     def test_it_is_told_in_one_line(self):
         for nodes, told in ((8, "mesh: 12 quadrilaterals of 8 nodes in 'mesh.msh' made complete by nodes in the centre; "),
                             (20, "mesh: 12 hexahedra of 20 nodes in 'mesh.msh' made complete by nodes in the centre and the faces; ")):

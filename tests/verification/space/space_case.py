@@ -293,7 +293,3 @@ class SpaceCase(MudlineCase):
 
     def history_of(self, stem):
         return History(os.path.join(self.folder, "results", stem + ".csv"))
-
-    def assert_near(self, what, value, exact, tolerance, scale=None):
-        """|value - exact| <= tolerance |scale|, by default relative to the exact value."""
-        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale)), tolerance)

@@ -7,6 +7,7 @@ import h5py
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from compared_case import problem
 from mudline_case import ROOT, deck_text, program
 from space_case import SpaceCase, quasi_static
 
@@ -73,6 +74,7 @@ def turned(file, layers):
 QUARTER = {"start": "y", "end": "x"}
 
 
+@problem("consistency", title="From an axisymmetric result, footing")
 class Footing(SpaceCase):
     """A circular footing on two layers of clay, loaded beyond yield, which then consolidate."""
 
@@ -151,26 +153,17 @@ class Footing(SpaceCase):
         settlement = abs(plane["probe/near/displacement y"][-1])
         for probe in ("below", "beside", "deep", "near"):
             of_plane = CubicSpline(plane.time, plane[f"probe/{probe}/pore pressure"])(20 + TIMES)
-            self.assert_near(
-                f"{probe}: pressure",
-                CubicSpline(space.time, space[f"probe/{probe}/pore pressure"])(TIMES),
-                of_plane,
-                0.01,
-                pressure,
-            )
+            self.compare_values(f"{probe}: pressure",
+                                CubicSpline(space.time, space[f"probe/{probe}/pore pressure"])(TIMES), of_plane, 0.01,
+                                pressure)
             moved = CubicSpline(plane.time, plane[f"probe/{probe}/displacement y"])
-            self.assert_near(
-                f"{probe}: settlement since the load",
-                CubicSpline(space.time, space[f"probe/{probe}/displacement z"])(TIMES),
-                moved(20 + TIMES) - moved(20),
-                0.01,
-                settlement,
-            )
+            self.compare_values(f"{probe}: settlement since the load",
+                                CubicSpline(space.time, space[f"probe/{probe}/displacement z"])(TIMES),
+                                moved(20 + TIMES) - moved(20), 0.01, settlement)
         # the excess counts from the plane run's start, not from the loaded state
         _, _, nodal, _ = self.plane_fields(-1)
-        self.assert_near(
-            "highest excess at the end", self.fields("space").nodal["excess_pore_pressure"].max(), nodal.max(), 0.01
-        )
+        self.compare_values("highest excess at the end", self.fields("space").nodal["excess_pore_pressure"].max(),
+                            nodal.max(), 0.01)
         self.check_start()
 
     def plane_fields(self, step):
@@ -207,8 +200,8 @@ class Footing(SpaceCase):
             [c * c * rr + s * s * tt, c * s * (rr - tt), c * rz, s * s * rr + c * c * tt, s * rz, zz], axis=1
         )
         # a cell's mean is over an angle of 22.5 degrees, in which the stress turns: 1 - sinc is 1 to 3 per cent
-        self.assert_error("turned stresses of the start", np.abs(turned - expected).max() / np.abs(rr).max(), 0.03)
-        self.assert_error("void ratios of the start", np.abs(ratios - ratio[found]).max(), 2e-3)
+        self.compare("turned stresses of the start", np.abs(turned - expected).max() / np.abs(rr).max(), 0.03)
+        self.compare("void ratios of the start", np.abs(ratios - ratio[found]).max(), 2e-3)
 
     def refused(self, message, old="", new="", mesh=None, **initial):
         text = self.in_space({"rest": REST}, mesh, **initial)
@@ -218,6 +211,7 @@ class Footing(SpaceCase):
         self.assertIn(message, done.stderr)
         self.assertRegex(done.stderr, r"wrong\.xml:\d+: physics/ground/initial state")
 
+    @problem("behaviour")
     def test_refusals(self):
         self.plane()
         box = {
@@ -270,6 +264,7 @@ class Footing(SpaceCase):
         self.refused("has a meaning only with 'type' = 'from result'", 'value="from result"', 'value="stress free"')
 
 
+@problem("consistency", title="From an axisymmetric result, wall of a pile")
 class Wall(SpaceCase):
     """The shaft of a pile is pushed down along clay, which yields at the wall, and then pulled up."""
 
@@ -338,16 +333,11 @@ class Wall(SpaceCase):
         pushed, pulled = plane.at("contact/wall/reaction y", 10.0), plane["contact/wall/reaction y"][-1]
         self.assertGreater(pushed, 1e4)
         self.assertLess(pulled, -1e4)
-        self.assert_near("reaction at the start", 4 * space["contact/wall/reaction z"][0], pushed, 0.01)
-        self.assert_near("pull-out", 4 * space["contact/wall/reaction z"][-1], pulled, 0.01)
+        self.compare_values("reaction at the start", 4 * space["contact/wall/reaction z"][0], pushed, 0.01)
+        self.compare_values("pull-out", 4 * space["contact/wall/reaction z"][-1], pulled, 0.01)
         halves = self.run_text("halves", self.in_space(), ranks=2, settings=["stages/pull/duration=2"])
-        self.assert_near(
-            "pull-out on two ranks",
-            halves["contact/wall/reaction z"][:2],
-            space["contact/wall/reaction z"][:2],
-            1e-5,
-            pulled,
-        )
+        self.compare_values("pull-out on two ranks", halves["contact/wall/reaction z"][:2],
+                            space["contact/wall/reaction z"][:2], 1e-5, pulled)
         done = program(["check", self.write("low.xml", self.in_space(-4.05))], folder=self.folder)
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn(

@@ -3,6 +3,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from space_case import BoxMesh, SpaceCase, deck, quasi_static, write_boxes
 
 YOUNG, POISSON = 2e8, 0.3
@@ -26,6 +27,7 @@ class PairCase(SpaceCase):
         return self.run_text(name, deck(name, mesh, conditions, stages, material=STIFF, contacts=contacts, **sections), ranks=ranks)
 
 
+@problem("exact", "the stress is uniform", "Two surfaces in space, patch test")
 class Patch(PairCase):
     """One block pressed on another one, both free to widen: the stress is uniaxial."""
 
@@ -47,9 +49,9 @@ class Patch(PairCase):
                 upright = stress[:, 5]
                 scale = np.abs(upright).max()
                 self.assertGreater(scale, 1e4)
-                self.assertLess(np.abs(upright - upright.mean()).max(), 1e-9 * scale)
-                self.assertLess(np.abs(stress[:, :5]).max(), 1e-9 * scale)
-                self.assert_near(f"{cell}: force", history["contact/face/force on slave z"][-1], scale, 1e-3)
+                self.compare("evenness of the stress", np.abs(upright - upright.mean()).max() / scale, 1e-9)
+                self.compare("other stresses", np.abs(stress[:, :5]).max() / scale, 1e-9)
+                self.compare_values(f"{cell}: force", history["contact/face/force on slave z"][-1], scale, 1e-3)
 
     def test_other_cells(self):
         """Points cannot see where the master's edges lie between them: the stress is even to 3 %, its mean exact."""
@@ -57,10 +59,12 @@ class Patch(PairCase):
             with self.subTest(cell=cell):
                 history, stress = self.press(cell, (2, 2, 2), (3, 3, 3), "other")
                 upright = stress[:, 5]
-                self.assert_near(f"{cell}: evenness", upright, upright.mean(), 0.03)
-                self.assert_near(f"{cell}: force", history["contact/face/force on slave z"][-1], -upright.mean(), 2e-3)
+                self.compare_values(f"{cell}: evenness", upright, upright.mean(), 0.03)
+                self.compare_values(f"{cell}: force", history["contact/face/force on slave z"][-1], -upright.mean(),
+                                    2e-3)
 
 
+@problem("consistency", title="Two surfaces in space, multipliers")
 class Multipliers(PairCase):
     """A block pressed on another one and pulled aslant so little that it sticks, with multipliers: the gap closes and nothing slips, soft as
     the penalty may be, on any number of ranks."""
@@ -81,14 +85,16 @@ class Multipliers(PairCase):
             with self.subTest(cell=cell):
                 soft, stiff = (self.pull(cell, factor) for factor in (2.0, 20.0))
                 for name in self.FORCES:
-                    self.assert_near(f"{cell}: {name}", soft[name][-1], stiff[name][-1], 5e-3)
+                    self.compare_values(f"{cell}: {name}", soft[name][-1], stiff[name][-1], 5e-3)
 
+    @problem("consistency")
     def test_ranks(self):
         serial = self.pull("tet10", 10.0)
         for ranks in (2, 4):
             self.assert_same_run(serial, self.pull("tet10", 10.0, ranks), self.FORCES, f"{ranks} ranks", rounding=1e-6)
 
 
+@problem("exact", "Coulomb's friction", "Two surfaces in space, dragged block")
 class Coulomb(PairCase):
     """A small block pressed on a larger one and dragged aslant over the edges of its cells."""
 
@@ -100,14 +106,15 @@ class Coulomb(PairCase):
                                 between(friction={"type": "coulomb", "coefficient": 0.2}))
         x, y, z = (history[f"contact/face/force on slave {axis}"][-1] for axis in "xyz")
         self.assertGreater(z, 500)
-        self.assert_near("friction over normal force", np.hypot(x, y) / z, 0.2, 1e-3)
-        self.assert_near("its direction", np.array([x, y]) / np.hypot(x, y), np.array([-0.6, -0.8]), 1e-3, 1.0)
-        self.assert_near("both reactions", history["reaction/base x"][-1], -history["reaction/push x"][-1], 1e-5)
+        self.compare_values("friction over normal force", np.hypot(x, y) / z, 0.2, 1e-3)
+        self.compare_values("its direction", np.array([x, y]) / np.hypot(x, y), np.array([-0.6, -0.8]), 1e-3, 1.0)
+        self.compare_values("both reactions", history["reaction/base x"][-1], -history["reaction/push x"][-1], 1e-5)
         late = history.time > 1.3
         normal = history["contact/face/force on slave z"][late]
-        self.assert_near("over the edges", normal, normal.mean(), 0.02)
+        self.compare_values("over the edges", normal, normal.mean(), 0.02)
 
 
+@problem("exact", "Hertz, after Johnson (1985)", "Two bodies of Hertz in space")
 class Hertz(PairCase):
     """A paraboloid of radius 1 m on a flat block of the same soil, so little that strains stay small. A quarter, with Boussinesq's
     displacements of the same load on the far faces of both."""
@@ -144,13 +151,14 @@ class Hertz(PairCase):
             conditions.update({f"{box} {side}": {"type": "fixed", "set": f"{box} {side}", "components": axis}
                                for side, axis in (("left", "x"), ("front", "y"))})
         history = self.run_pair("hertz", boxes, conditions, {"press": quasi_static(1, 0.5)}, between(**{"penalty factor": 100.0}))
-        self.assert_near("load", 4 * history["contact/face/force on slave z"][-1], load, 0.01)
+        self.compare_values("load", 4 * history["contact/face/force on slave z"][-1], load, 0.01)
         self.assertLess(history["contact/face/maximum penetration"][-1], 0.01 * self.APPROACH)
         fields = self.fields("hertz")
         pressure = fields.nodal["contact_pressure_face"]
-        self.assert_near("largest pressure", pressure.max(), 1.5 * load / (np.pi * a**2), 0.03)
+        self.compare_values("largest pressure", pressure.max(), 1.5 * load / (np.pi * a**2), 0.03)
 
 
+@problem("exact", "energy is kept", "Impact of two blocks in space")
 class Impact(PairCase):
     """A block falls aslant on a plate: the penalty spring gives back what it took."""
 
@@ -165,7 +173,7 @@ class Impact(PairCase):
         self.assertGreater(force.max(), 1e3)
         self.assertEqual(force[-1], 0)  # it came off again
         kinetic = history["balance/energy/kinetic"]
-        self.assert_near("error of the energy", history["balance/energy/error"], 0.0, 1e-3, kinetic.max())
+        self.compare_values("error of the energy", history["balance/energy/error"], 0.0, 1e-3, kinetic.max())
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from space_case import SATURATED, SIDES, SOLID, BoxMesh, SpaceCase, deck, prescribed, quasi_static
 
 GRADIENT = 1e-5 * np.array([[1.0, 0.4, -0.3], [-0.2, -0.7, 0.5], [0.6, 0.1, 0.45]])
@@ -50,6 +51,7 @@ def linear(gradient):
     return {axis: f"{row[0]!r}*x + {row[1]!r}*y + {row[2]!r}*z" for axis, row in zip("xyz", gradient.tolist())}
 
 
+@problem("exact", "linear fields, and p = a.x with its displacement", "Patch tests in space")
 class Patch(SpaceCase):
     def meshes(self, cell):
         yield "box", {"type": "box", "cell": cell, "cells": [3, 2, 3], "upper": list(UPPER), "distortion": 0.3}
@@ -76,12 +78,13 @@ class Patch(SpaceCase):
                     inner = ~np.isclose(found.nodes[:, :, None], 0.0).any(axis=(1, 2))
                     self.assertGreater(inner.sum(), 0)
                     exact = found.nodes @ GRADIENT.T
-                    self.assert_near(f"{physics} {cell} {kind}: u", found.nodal["displacement"], exact, 1e-10, np.abs(exact).max())
+                    self.compare_values(f"{physics} {cell} {kind}: u", found.nodal["displacement"], exact, 1e-10,
+                                        np.abs(exact).max())
                     values = found.cell["effective_stress"]
-                    self.assert_near("stress is uniform", values, values[0], 1e-9, np.abs(stress).max())
-                    self.assert_near("stress", values, stress[np.triu_indices(3)], 1e-4, np.abs(stress).max())
+                    self.compare_values("stress is uniform", values, values[0], 1e-9, np.abs(stress).max())
+                    self.compare_values("stress", values, stress[np.triu_indices(3)], 1e-4, np.abs(stress).max())
                     if physics == "biot":
-                        self.assert_near("p", found.nodal["pore_pressure"], 0.0, 1e-9, np.abs(stress).max())
+                        self.compare_values("p", found.nodal["pore_pressure"], 0.0, 1e-9, np.abs(stress).max())
 
     def test_even_flow(self):
         """Pressures linear in space, given on two sides, and the flow that belongs to them on the others; soil too stiff to move."""
@@ -100,10 +103,10 @@ class Patch(SpaceCase):
                 history = self.run_text("flow", deck("flow", box, conditions, {"flow": quasi_static(1e12, 1e12)}, "biot", stiff, solver=TIGHT))
                 found = self.fields("flow")
                 exact = 1000 + found.nodes @ slope
-                self.assert_near(f"{cell}: p", found.nodal["pore_pressure"], exact, 1e-10, np.abs(exact).max())
+                self.compare_values(f"{cell}: p", found.nodal["pore_pressure"], exact, 1e-10, np.abs(exact).max())
                 through = mobility * slope[0] * UPPER[1] * UPPER[2]
                 for side, sign in (("left", -1), ("right", 1)):  # what is supplied to keep the pressure
-                    self.assert_near("discharge", history[f"reaction/pressure {side}"][-1], sign * through, 1e-8)
+                    self.compare_values("discharge", history[f"reaction/pressure {side}"][-1], sign * through, 1e-8)
 
     def test_soil_compressed_by_a_flow(self):
         """p = a.x, and with it u = a (a.x)^2 / (2 M a.a), which a quadratic cell with straight sides holds exactly."""
@@ -123,8 +126,8 @@ class Patch(SpaceCase):
                     p = found.nodes @ slope
                     u = factor * slope * (p ** 2)[:, None]
                     # strains are 1e-6, and so large is what the small-strain solution leaves out
-                    self.assert_near(f"{cell} {kind}: u", found.nodal["displacement"], u, 2e-6, np.abs(u).max())
-                    self.assert_near(f"{cell} {kind}: p", found.nodal["pore_pressure"], p, 2e-6, np.abs(p).max())
+                    self.compare_values(f"{cell} {kind}: u", found.nodal["displacement"], u, 2e-6, np.abs(u).max())
+                    self.compare_values(f"{cell} {kind}: p", found.nodal["pore_pressure"], p, 2e-6, np.abs(p).max())
 
 
 if __name__ == "__main__":

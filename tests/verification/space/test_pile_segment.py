@@ -6,6 +6,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import ROOT
 from space_case import SpaceCase
 
@@ -19,12 +20,14 @@ SMOOTH = '''<ParameterList name="pile">
     </ParameterList>'''
 
 
+@problem("exact", "Randolph and Houlsby (1984), Martin and Randolph (2006)", "Slice of a pile in Tresca clay")
 class PileSegment(SpaceCase):
     def assert_collapse(self, what, deck, low, high, *settings):
         history = self.run_deck(deck, settings)
         factor = -4 * history["reaction/far side x"] / (2 * THICKNESS * STRENGTH)
-        self.assert_near(what, factor[-1], (low + high) / 2, (high - low) / 2, 1.0)
-        self.assert_near(what + ", growth at the end", factor[-1] / np.interp(0.9, history.time, factor) - 1, 0.0, 0.01, 1.0)
+        self.compare_values(what, factor[-1], (low + high) / 2, (high - low) / 2, 1.0)
+        self.compare_values(what + ", growth at the end", factor[-1] / np.interp(0.9, history.time, factor) - 1, 0.0,
+                            0.01, 1.0)
 
     def test_rough(self):
         self.assert_collapse("rough", self.input("pile_segment"), 11.94, 1.02 * 11.94)

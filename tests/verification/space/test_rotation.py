@@ -4,6 +4,7 @@ import unittest
 import numpy as np
 from scipy.spatial import cKDTree
 
+from compared_case import problem
 from space_case import SIDES, WATER, BoxMesh, SpaceCase, deck, quasi_static, rotation
 
 EQUAL = 1e-9  # of the largest entry
@@ -66,6 +67,7 @@ def partners(places, others):
     return number
 
 
+@problem("consistency", title="A turned deck gives the turned answer")
 class Rotation(SpaceCase):
     def compare(self, cell, law):
         turn = rotation()
@@ -79,17 +81,19 @@ class Rotation(SpaceCase):
         what = f"{cell}, {law}: "
         node = partners(was.nodes @ turn.T, now.nodes)
         for name in ("displacement", "velocity", "acceleration"):
-            self.assert_near(what + name, now.nodal[name][node], was.nodal[name] @ turn.T, EQUAL, np.abs(was.nodal[name]).max())
-        self.assert_near(what + "pressure", now.nodal["pore_pressure"][node], was.nodal["pore_pressure"], EQUAL,
-                         np.abs(was.nodal["pore_pressure"]).max())
+            self.compare_values(what + name, now.nodal[name][node], was.nodal[name] @ turn.T, EQUAL,
+                                np.abs(was.nodal[name]).max())
+        self.compare_values(what + "pressure", now.nodal["pore_pressure"][node], was.nodal["pore_pressure"], EQUAL,
+                            np.abs(was.nodal["pore_pressure"]).max())
         cell = partners(was.nodes[was.cells].mean(axis=1) @ turn.T, now.nodes[now.cells].mean(axis=1))
         tensor = [[0, 1, 2], [1, 3, 4], [2, 4, 5]]
         before = np.einsum("ik,ekl,jl->eij", turn, was.cell["effective_stress"][:, tensor], turn)
-        self.assert_near(what + "stress", now.cell["effective_stress"][cell][:, tensor], before, EQUAL, np.abs(before).max())
+        self.compare_values(what + "stress", now.cell["effective_stress"][cell][:, tensor], before, EQUAL,
+                            np.abs(before).max())
         forces = np.array([[[run[f"reaction/{side} {c}"] for c in "xyz"] for side in SIDES[:-1]] for run in (still, turned)])
         scale = np.abs(forces).max()
         self.assertGreater(scale, 1e3)
-        self.assert_near(what + "reactions", forces[1], np.einsum("ij,sjt->sit", turn, forces[0]), EQUAL, scale)
+        self.compare_values(what + "reactions", forces[1], np.einsum("ij,sjt->sit", turn, forces[0]), EQUAL, scale)
         return was.cell
 
     def test_elastic(self):

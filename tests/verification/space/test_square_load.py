@@ -5,6 +5,7 @@ import unittest
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from compared_case import problem
 from references import biot
 from references.layer import Layer, giroud_corner
 from space_case import BoxMesh, SpaceCase, deck, quasi_static
@@ -36,12 +37,14 @@ def quarter(mesh):
     return deck("quarter", mesh, conditions, {"loading": stage}, "biot", output={"probes": probes})
 
 
+@problem("exact", "Booker (1974)", "Consolidation under a square load")
 class SquareLoad(SpaceCase):
+    @problem("exact", "Giroud (1968)")
     def test_reference(self):
         """Half spaces from layers of 8 and 16 half widths, whose walls and base count as their reciprocal; drained and undrained."""
         for what, time, young, poisson in (("drained", 1e9, SOIL.young, SOIL.poisson), ("undrained", 1e-3, 3 * SOIL.shear, 0.5)):
             near, far = (Layer(SOIL, width, width, 1.0, LOAD, 15 * width).at(time, [0.0])[0][0] for width in (8, 16))
-            self.assert_near(what, 2 * far - near, 4 * giroud_corner(1.0, 1.0, LOAD, young, poisson), 5e-3)
+            self.compare_values(what, 2 * far - near, 4 * giroud_corner(1.0, 1.0, LOAD, young, poisson), 5e-3)
 
     def test_settlement_and_pressure(self):
         mesh = BoxMesh("hex27", (INSIDE + BESIDE, INSIDE + BESIDE, DOWN), (WIDTH,) * 3, refined).write(f"{self.folder}/quarter.msh")
@@ -53,9 +56,9 @@ class SquareLoad(SpaceCase):
         final = layer.at(1e9, [0.0])[0][0]
         for i, place in enumerate(("centre", "corner")):
             w = -CubicSpline(history.time, history[f"probe/{place}/displacement z"])(times)
-            self.assert_near(f"{place}: settlement", w, [settlement[i] for settlement, _ in exact], 1e-2, final)
+            self.compare_values(f"{place}: settlement", w, [settlement[i] for settlement, _ in exact], 1e-2, final)
             p = CubicSpline(history.time, history[f"probe/below {place}/pore pressure"])(times)
-            self.assert_near(f"{place}: pressure", p, [pressure[i] for _, pressure in exact], 1e-2, LOAD)
+            self.compare_values(f"{place}: pressure", p, [pressure[i] for _, pressure in exact], 1e-2, LOAD)
         self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-12)
 
     def corner_near(self, z):

@@ -6,6 +6,7 @@ import unittest
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from compared_case import problem
 from references import biot
 from space_case import BoxMesh, SpaceCase, deck, quasi_static, rotation
 
@@ -41,6 +42,7 @@ def graded(cells):
     return lambda x: np.column_stack([x[:, 0], x[:, 1], np.interp(x[:, 2], np.linspace(0, 1, cells + 1), ends)])
 
 
+@problem("exact", "Terzaghi (1943)", "Terzaghi's column in space")
 class Terzaghi(SpaceCase):
     def test_along_each_axis(self):
         column = biot.Column(biot.INCOMPRESSIBLE, load=10.0)
@@ -51,13 +53,15 @@ class Terzaghi(SpaceCase):
                 history = self.run_text("terzaghi", along(axis, text), ("mesh/cell=" + cell, f"{STAGE}duration={column.time(0.5)}"))
                 t = column.time(TIMES)
                 p, w = (CubicSpline(history.time, history[name])(t) for name in ("probe/base/pore pressure", f"probe/top/displacement {axis}"))
-                self.assert_near(f"{axis} {cell}: p base", p, np.array([column.pressure(1.0, T) for T in TIMES]), 1e-3, 10.0)
-                self.assert_near("settlement", -w, np.array([column.settlement(T) for T in TIMES]), 1e-3)
+                self.compare_values(f"{axis} {cell}: p base", p, np.array([column.pressure(1.0, T) for T in TIMES]),
+                                    1e-3, 10.0)
+                self.compare_values("settlement", -w, np.array([column.settlement(T) for T in TIMES]), 1e-3)
                 for other in set("xyz") - {axis}:
-                    self.assertLess(np.abs(history[f"probe/top/displacement {other}"]).max(), 1e-14)
+                    self.compare(f"displacement {other} [m]",
+                                 np.abs(history[f"probe/top/displacement {other}"]).max(), 1e-14)
                 self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-12)
                 force = history[f"reaction/base {axis}"][-1]
-                self.assert_near("reaction of the base", force, 10.0 * 0.01, 1e-6)
+                self.compare_values("reaction of the base", force, 10.0 * 0.01, 1e-6)
 
     def test_along_a_slanting_axis(self):
         """Rollers on slanting sides are pressures that grow with the displacement outwards, so stiff that they are displaced by some 1e-4 of the settlement; the residual has
@@ -81,12 +85,14 @@ class Terzaghi(SpaceCase):
                 t = column.time(TIMES)
                 moved = np.array([history["probe/top/displacement " + c] for c in "xyz"])
                 p, w = (CubicSpline(history.time, found)(t) for found in (history["probe/base/pore pressure"], turn[:, 2] @ moved))
-                self.assert_near(f"{cell}: p base", p, np.array([column.pressure(1.0, T) for T in TIMES]), 1e-3, load)
-                self.assert_near("settlement", -w, np.array([column.settlement(T) for T in TIMES]), 1e-3)
-                self.assert_near("aside", turn[:, :2].T @ moved, 0.0, 1e-4, column.settlement(0.5))
+                self.compare_values(f"{cell}: p base", p, np.array([column.pressure(1.0, T) for T in TIMES]), 1e-3,
+                                    load)
+                self.compare_values("settlement", -w, np.array([column.settlement(T) for T in TIMES]), 1e-3)
+                self.compare_values("aside", turn[:, :2].T @ moved, 0.0, 1e-4, column.settlement(0.5))
                 self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-12)
                 force = [history[f"reaction/base {c}"][-1] for c in "xyz"]
-                self.assert_near("reaction of the base", force, load * width ** 2 * turn[:, 2], 1e-4, load * width ** 2)
+                self.compare_values("reaction of the base", force, load * width ** 2 * turn[:, 2], 1e-4,
+                                    load * width ** 2)
 
 
 if __name__ == "__main__":

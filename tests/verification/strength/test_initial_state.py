@@ -6,6 +6,7 @@ import h5py
 import numpy as np
 from scipy.optimize import brentq
 
+from compared_case import problem
 from mudline_case import deck_text, program
 from strength_case import StrengthCase
 
@@ -53,6 +54,7 @@ def layer_fields(folder):
         return y, components(step), step["preconsolidation_pressure"][:].ravel()
 
 
+@problem("exact", "weight of the layers", "Geostatic start of layers")
 class Layers(StrengthCase):
     def stress(self, settings=()):
         self.run_deck(self.deck("initial_state", "layers"), settings)
@@ -61,10 +63,11 @@ class Layers(StrengthCase):
     def test_stress_of_layers_with_a_lost_overburden(self):
         y, stress, preconsolidation = self.stress()
         for i, height in enumerate(y):
-            self.assertAlmostEqual(stress[i, 1] / vertical(height), 1, delta=1e-6)
+            self.compare("vertical stress", abs(stress[i, 1] / vertical(height) - 1), 1e-6)
             for c in (0, 2):
-                self.assertAlmostEqual(stress[i, c] / mean_over_cell(horizontal, height, 0.5, POINTS), 1, delta=1e-6)
-            self.assertAlmostEqual(stress[i, 3], 0, delta=1e-6)
+                self.compare(f"horizontal stress {c}",
+                             abs(stress[i, c] / mean_over_cell(horizontal, height, 0.5, POINTS) - 1), 1e-6)
+            self.compare("shear stress [Pa]", abs(stress[i, 3]), 1e-6)
 
         def through(depth):  # the surface through the initial stress, M = 1
             v, h = vertical(depth), horizontal(depth)
@@ -73,8 +76,9 @@ class Layers(StrengthCase):
         clay = (y > -5) & (y < -2)
         self.assertEqual(clay.sum(), 12)
         for height, value in zip(y[clay], preconsolidation[clay]):
-            self.assertAlmostEqual(value / mean_over_cell(through, height, 0.5, POINTS), 1, delta=1e-6)
+            self.compare("value", abs(value / mean_over_cell(through, height, 0.5, POINTS) - 1), 1e-6)
 
+    @problem("behaviour")
     def test_both_ways_to_say_the_same_are_refused(self):
         for settings, what in ((("K0=0.5",), "give either this or 'K0'"),
                                (("overconsolidation ratio=2",), "give either this or 'overconsolidation ratio'"),
@@ -88,6 +92,7 @@ class Layers(StrengthCase):
             self.assertIn(what, done.stderr)
 
 
+@problem("exact", "M/2 p (pc/2p)^Lambda", "Start from the undrained strength")
 class FromStrength(StrengthCase):
     """The clay between sand and gravel by its undrained strength, M/2 p (pc/2p)^Lambda, or by that over the vertical
     stress."""
@@ -126,8 +131,9 @@ class FromStrength(StrengthCase):
                 self.assertEqual(clay.sum(), 12)
                 for height, pc in zip(y[clay], found[clay]):
                     exact = mean_over_cell(lambda at: self.preconsolidation(at, strength), height, 0.5, POINTS)
-                    self.assertAlmostEqual(pc / exact, 1, delta=1e-6)
+                    self.compare("preconsolidation pressure", abs(pc / exact - 1), 1e-6)
 
+    @problem("behaviour")
     def test_refusals(self):
         deck = self.layers("undrained strength", "20e3")
         for settings, words in (
@@ -149,6 +155,7 @@ class FromStrength(StrengthCase):
                 self.assertIn(words, done.stderr)
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1)
 
+    @problem("behaviour")
     def test_soils_whose_strength_is_another_matter(self):
         tresca = {"type": "tresca", "undrained strength": 1e4, "rigidity index": 100.0, "Poisson's ratio": 0.49}
         stress = {f"effective stress {axes}": 5e4 for axes in ("xx", "yy", "zz")}
@@ -169,6 +176,7 @@ class FromStrength(StrengthCase):
             self.assertIn(words, done.stderr)
 
 
+@problem("exact", "equilibrium with v of the compression line", "Void ratio from the law")
 class VoidRatioFromLaw(StrengthCase):
     """v = N - lambda ln(pc/1 kPa) + kappa ln(pc/p') under water: d sigma'_v/d depth = (rho_s - rho_f) g/v. With v = A - lambda ln(sigma'_v),
     depth = [(A + lambda) sigma'_v - lambda sigma'_v ln(sigma'_v)] / ((rho_s - rho_f) g) from the surface on."""
@@ -197,9 +205,9 @@ class VoidRatioFromLaw(StrengthCase):
         for i in range(len(y)):
             middle, height = y[i].mean(), np.ptp(y[i])
             exact = mean_over_cell(lambda h: 1e3 * self.vertical(-h), middle, height, POINTS)
-            self.assertAlmostEqual(stress[i, 1] / exact, 1, delta=1e-6)
+            self.compare("vertical stress", abs(stress[i, 1] / exact - 1), 1e-6)
             exact = mean_over_cell(lambda h: self.volume(self.vertical(-h)), middle, height, POINTS)
-            self.assertAlmostEqual(1 + void_ratio[i], exact, delta=1e-6)
+            self.compare("specific volume", abs(1 + void_ratio[i] - exact), 1e-6)
 
     def test_profile(self):
         self.check()
@@ -215,6 +223,7 @@ class VoidRatioFromLaw(StrengthCase):
         self.deck = lambda *_: "void_ratio_from_law.xml"
         self.check([base + f"critical state volume={self.N - drop - self.SLOPE * np.log(100)!r}", base + "reference pressure=100e3"])
 
+    @problem("behaviour")
     def test_contradictions(self):
         for setting, what in (("void ratio=1.0", "with 'void ratio from law' there is no 'void ratio' or 'porosity'"),
                               ("skeleton/critical state volume=2.0", "give 'normal compression volume' or 'critical state volume', not both"),
@@ -225,6 +234,7 @@ class VoidRatioFromLaw(StrengthCase):
             self.assertIn(what, done.stderr)
 
 
+@problem("exact", "weight of two columns", "Fresh water over brine")
 class TwoFluids(StrengthCase):
     """Fresh water over brine, each in 5 m of soil, the water level 1 m above the surface: the weight of both columns counts."""
     GRAVITY, FRESH, BRINE, LEVEL = 10.0, 1000.0, 1200.0, 1.0
@@ -263,13 +273,14 @@ class TwoFluids(StrengthCase):
             history = self.run_deck(self.write("fluids.xml", self.deck_of_two()), ranks=ranks)
             for place, pressure in (("top", 10e3), ("interface", 60e3), ("base", 120e3)):
                 values = history[f"probe/{place}/pore pressure"]
-                self.assertLess(np.abs(values - pressure).max(), 1e-6 * pressure, place)
-                self.assertLess(np.abs(history[f"probe/{place}/displacement y"]).max(), 1e-9, place)  # 2.1 mm of heave once
+                self.compare(f"{place}: pore pressure", np.abs(values - pressure).max() / pressure, 1e-6)
+                self.compare(f"{place}: displacement [m]", np.abs(history[f"probe/{place}/displacement y"]).max(),
+                             1e-9)  # 2.1 mm of heave once
             with h5py.File(os.path.join(self.folder, "results", "fluids.h5"), "r") as file:
                 excess = file["steps"][sorted(file["steps"])[-1]]["nodal/excess_pore_pressure"][:]
-            self.assertLess(np.abs(excess).max(), 0.1)
+            self.compare("excess pore pressure [Pa]", np.abs(excess).max(), 0.1)
             weight = 2.0 * (15e3 + 10 * 5 * (0.5 * 2700 + 0.5 * self.FRESH) + 10 * 5 * (0.5 * 2700 + 0.5 * self.BRINE))
-            self.assertAlmostEqual(history["reaction/base y"][-1] / weight, 1, delta=1e-6)
+            self.compare("weight", abs(history["reaction/base y"][-1] / weight - 1), 1e-6)
 
     def refused(self, deck, message):
         done = program(["check", self.write("fluids.xml", deck)], 1, self.folder)
@@ -277,11 +288,13 @@ class TwoFluids(StrengthCase):
         self.assertIn(message, done.stderr)
         self.assertEqual(len(done.stderr.strip().splitlines()), 1)
 
+    @problem("behaviour")
     def test_excess_pressures_need_one_density(self):
         self.refused(self.deck_of_two(excess=True), "with 'pore pressure' = 'excess' all pore fluids have one density; it is 1000 kg/m3 "
                      "here and 1200 in 'a'")
 
 
+@problem("exact", "K0 over the depth", "Profile of K0")
 class Profile(StrengthCase):
     """K0 over the depth, 0.5 at the surface and 0.8 at 10 m: as an expression, as a profile in the deck and as one in a file."""
     CSV = "# a sounding\nz [m]; K0 [%] ; remark\n 0; 50; fill\n2.5;57.5;\n\n10;80;\n"
@@ -305,9 +318,10 @@ class Profile(StrengthCase):
             history = self.run_deck(self.write("column.xml", self.column(k0, profile)), extra=["--overwrite"])
             found.append(history["reaction/left x"][-1])
             exact = 1800 * 10 * (0.5 * 10 ** 2 / 2 + 0.03 * 10 ** 3 / 3)
-            self.assertAlmostEqual(found[-1] / exact, 1, delta=1e-9)
-        self.assertLess(np.ptp(found), 1e-9 * found[0])
+            self.compare("reaction of the side", abs(found[-1] / exact - 1), 1e-9)
+        self.compare("spread over the three ways", np.ptp(found) / found[0], 1e-9)
 
+    @problem("behaviour")
     def test_refusals(self):
         columns = {"file": "sounding.csv", "depth column": "z [m]", "value column": "K0 [%]"}
         lists = {"depths": [0.0, 10.0], "values": [0.5, 0.8]}
@@ -331,11 +345,12 @@ class Profile(StrengthCase):
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1)
 
 
+@problem("exact", "weight", "Slope under gravity")
 class Slope(StrengthCase):
     def test_gravity_stage_leaves_a_slope_in_balance(self):
         history = self.run_deck(self.deck("initial_state", "slope"))
         weight = (40 * 8 + 25 * 5 - 0.5 * 10 * 5) * 1900 * G
-        self.assertAlmostEqual(history["reaction/base y"][-1] / weight, 1, delta=1e-6)
+        self.compare("weight", abs(history["reaction/base y"][-1] / weight - 1), 1e-6)
         for probe in ("crest", "toe"):
             for axis in "xy":
                 self.assertEqual(history[f"probe/{probe}/displacement {axis}"][-1], 0)
@@ -347,8 +362,9 @@ class Slope(StrengthCase):
         centre = nodes[topology].mean(axis=1)
         far = (centre[:, 0] < -12) & (centre[:, 1] > -7)  # level ground away from the slope: weight above, within the mesh
         depth = -centre[far, 1]
-        self.assertLess(np.abs(stress[far, 1] / (1900 * G * depth) - 1)[depth > 3].max(), 0.1)
+        self.compare("vertical stress", np.abs(stress[far, 1] / (1900 * G * depth) - 1)[depth > 3].max(), 0.1)
 
+    @problem("behaviour")
     def test_report_of_a_slope(self):
         self.run_deck(self.deck("initial_state", "slope"))
         done = program(["report", "results/slope"], 1, self.folder)

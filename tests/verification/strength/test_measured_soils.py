@@ -6,6 +6,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import ComparedCase, problem
 from mudline_case import PROGRAM, ROOT
 
 sys.path.insert(0, os.path.join(ROOT, "docs", "measurements"))
@@ -14,7 +15,8 @@ import sand  # noqa: E402
 from laboratory import STRAIN, STRESS, at  # noqa: E402
 
 
-class Sand(unittest.TestCase):
+@problem("measured", "Mendez, Mendez and Pasculli, [sand](measurements/sand.md)", "Sand in the laboratory")
+class Sand(ComparedCase):
     """Hypoplasticity with the parameters of those who measured."""
 
     @classmethod
@@ -30,19 +32,22 @@ class Sand(unittest.TestCase):
             with self.subTest(test=name):
                 miss, stress = self.misses(name, STRAIN, STRESS)
                 late = self.tests[name][STRAIN] > 3.0
-                self.assertLess(np.abs(miss / stress)[late].max(), 0.085)
+                self.compare(f"{name}: stress from 3 % of strain on", np.abs(miss / stress)[late].max(), 0.085)
                 self.assertTrue(
                     -0.3 < (miss / stress)[0] < -0.2
                 )  # too soft without intergranular strain, as the page says
-                self.assertLess(np.abs(self.misses(name, STRAIN, sand.VOLUME)[0]).max(), 0.35)
+                self.compare(f"{name}: volume strain [% of the volume]",
+                             np.abs(self.misses(name, STRAIN, sand.VOLUME)[0]).max(), 0.35)
 
     def test_oedometer(self):
         for name in sand.OEDOMETER:
             with self.subTest(test=name):
-                self.assertLess(np.abs(self.misses(name, sand.VERTICAL, sand.VOID)[0]).max(), 0.0035)
+                self.compare(f"{name}: void ratio", np.abs(self.misses(name, sand.VERTICAL, sand.VOID)[0]).max(),
+                             0.0035)
 
 
-class Kaolin(unittest.TestCase):
+@problem("measured", "Aarhus University, [kaolin](measurements/kaolin.md)", "Kaolin in the laboratory")
+class Kaolin(ComparedCase):
     """Modified Cam Clay and its surface of CASM, nothing fitted to the overconsolidated samples: what the page says."""
 
     @classmethod
@@ -53,6 +58,7 @@ class Kaolin(unittest.TestCase):
         curves = self.curves[law]
         return {name: at(curves[name], test, STRAIN, STRESS) / test[STRESS] - 1 for name, test in self.tests.items()}
 
+    @problem("behaviour")
     def test_ellipse(self):
         miss = self.misses("Cam Clay")
         for name in ("A7", "A8", "F2"):
@@ -66,7 +72,7 @@ class Kaolin(unittest.TestCase):
         miss = self.misses("CASM")
         late = {name: miss[name][self.tests[name][STRAIN] >= 1.0] for name in miss}
         for name in ("A7", "A8", "F2"):
-            self.assertLess(abs(miss[name][-1]), 0.015, name)
+            self.compare(f"{name}: strength", abs(miss[name][-1]), 0.015)
         self.assertTrue(0.2 < late["A7"].max() < 0.22, late["A7"].max())
         self.assertTrue(0.17 < late["D3"].max() < 0.19, late["D3"].max())
         self.assertTrue(-0.16 < late["D3"].min() < -0.145, late["D3"].min())

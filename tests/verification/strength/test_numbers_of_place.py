@@ -7,6 +7,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import ROOT, MudlineCase, deck_text, program
 
 LOAD, STIFFNESS, POISSON = 1.0, 1e7, 0.3  # [Pa, Pa, -]
@@ -40,6 +41,7 @@ def column(young, functions=None, **stages):
     )
 
 
+@problem("exact", "q/M0 ln(1 + y)", "Stiffness that grows with the height")
 class Stiffness(MudlineCase):
     """A column whose stiffness grows with the height: the settlement between two heights is q/M0 times the logarithm
     of 1 + y."""
@@ -80,10 +82,12 @@ class Stiffness(MudlineCase):
         ):
             with self.subTest(young=young, functions=functions):
                 for found, wanted in zip(self.settlements(young, functions), exact):
-                    self.assert_error("settlement", abs(found / wanted - 1), 1e-6)
+                    self.compare("settlement", abs(found / wanted - 1), 1e-6)
 
 
+@problem("exact", "closed forms of strength over depth", "Strength over depth")
 class Strength(MudlineCase):
+    @problem("consistency")
     def test_moving_mesh(self):
         """An anchor that falls into clay: the strength by its gradient and as a function give one run, while the mesh
         moves. The stiffness follows the strength, and the strength is carried with the soil."""
@@ -115,7 +119,7 @@ class Strength(MudlineCase):
             np.array([float(row[name]) for row in rows]) for name in ("depth [m]", "undrained strength [Pa]")
         )
         exact = np.interp(depth, [0.0, 0.3, 0.6, 0.9, 1.5, 2.5], [25e3, 24e3, 16e3, 12e3, 12.6e3, 13.8e3])
-        self.assert_error("strength", np.abs(strength / exact - 1).max(), 1e-5)
+        self.compare("strength", np.abs(strength / exact - 1).max(), 1e-5)
         self.assertNotIn("K0 [-]", rows[0])  # there is no vertical stress
 
     def test_point(self):
@@ -152,7 +156,7 @@ class Strength(MudlineCase):
         plain = self.run_point(self.write("plain.xml", deck(7e3, 35.0, 5.0, [0.0, 0.0])))["shear"]
         varied = self.run_point(self.write("varied.xml", deck("5e3 - 1e3*y", "30 - 2.5*y", "x", [5.0, -2.0])))["shear"]
         for name in plain.columns:
-            self.assert_error(name, np.abs(plain[name] - varied[name]).max(), 1e-12 * (1 + np.abs(plain[name]).max()))
+            self.compare(name, np.abs(plain[name] - varied[name]).max(), 1e-12 * (1 + np.abs(plain[name]).max()))
         self.assertEqual(
             set(varied.columns) - set(plain.columns),
             {"initial cohesion", "friction angle [deg]", "dilation angle [deg]"},
@@ -169,6 +173,7 @@ class Strength(MudlineCase):
             self.assertEqual(len(done.stderr.strip().splitlines()), 1)
 
 
+@problem("exact", "flow and weight in closed form", "Pores and permeability over the height")
 class Ground(MudlineCase):
     """Pores and permeability that vary with the height."""
 
@@ -210,16 +215,12 @@ class Ground(MudlineCase):
         resistance = 0.5 / lower + 0.5 / upper
         for ranks in (1, 2):
             history = self.run_deck(self.write("layers.xml", deck), ranks=ranks, extra=["--overwrite"])
-            self.assert_error(
-                "pressure",
-                abs(history["probe/border/pore pressure"][-1] / (pressure * 0.5 / upper / resistance) - 1),
-                1e-5,
-            )
-            self.assert_error(
-                "discharge",
-                abs(abs(history["reaction/above"][-1]) / (0.5 * pressure / self.WEIGHT / resistance) - 1),
-                1e-5,
-            )
+            self.compare("pressure",
+                         abs(history["probe/border/pore pressure"][-1] / (pressure * 0.5 / upper / resistance) - 1),
+                         1e-5)
+            self.compare("discharge",
+                         abs(abs(history["reaction/above"][-1]) / (0.5 * pressure / self.WEIGHT / resistance) - 1),
+                         1e-5)
 
     def ground(self, porosity):
         return deck_text(
@@ -252,8 +253,9 @@ class Ground(MudlineCase):
         history = self.run_deck(self.write("ground.xml", self.ground("0.7 + 0.02*y")))
         buoyant = (self.GRAINS * self.GRAVITY - self.WEIGHT) * (0.3 * 10**2 / 2 + 0.02 * 10**3 / 6)
         water = self.WEIGHT * 10**2 / 2
-        self.assert_error("side", abs(history["reaction/left x"][-1] / (0.5 * buoyant + water) - 1), 1e-6)
+        self.compare("side", abs(history["reaction/left x"][-1] / (0.5 * buoyant + water) - 1), 1e-6)
 
+    @problem("behaviour")
     def test_refusals(self):
         for porosity, words in (
             ("0.5 + 0.1*x", "the void ratio of material 'clay' varies sideways"),
@@ -269,6 +271,7 @@ class Ground(MudlineCase):
                 self.assertIn(words, done.stderr)
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1)
 
+    @problem("behaviour")
     def test_number_out_of_range_somewhere(self):
         """It is named before anything is made of it, such as K0 of the friction angle."""
         deck = (
@@ -317,10 +320,11 @@ class Ground(MudlineCase):
             ("shear modulus [Pa]", 0.4e12 + 0 * depth),
         ):
             found = np.array([float(row[name]) for row in rows])
-            self.assert_error(name, np.abs(found / exact - 1).max(), 1e-5)
+            self.compare(name, np.abs(found / exact - 1).max(), 1e-5)
         with open(os.path.join(self.folder, "ground.png"), "rb") as file:
             self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
 
+    @problem("behaviour")
     def test_profile_refusals(self):
         deck = self.write("ground.xml", self.ground(0.5))
         for arguments, words in (

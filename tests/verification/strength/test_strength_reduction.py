@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+from compared_case import problem
 from mudline_case import deck_text, program
 from strength_case import StrengthCase
 
@@ -13,6 +14,7 @@ FACTOR = "strength reduction/factor"
 COARSE = ["mesh/parameters/size=2.5"]
 
 
+@problem("benchmark", "Bishop and Morgenstern; Griffiths and Lane", "Slopes by strength reduction")
 class Slope(StrengthCase):
     def slope(self, name, settings=(), ranks=1, extra=("--overwrite",), more=()):
         """The history of the slope's run."""
@@ -31,25 +33,28 @@ class Slope(StrengthCase):
     def test_homogeneous_slope(self):
         history = self.slope("homogeneous")
         found, lost = self.bracket("homogeneous")
-        self.assert_within(TOLERANCE, found, BISHOP_MORGENSTERN, "charts of Bishop and Morgenstern")
-        self.assert_within(TOLERANCE, found, GRIFFITHS_LANE, "finite elements of Griffiths and Lane")
-        self.assertAlmostEqual(history[FACTOR][-1], found, delta=1e-12)
+        self.compare_values("charts of Bishop and Morgenstern", found, BISHOP_MORGENSTERN, TOLERANCE)
+        self.compare_values("finite elements of Griffiths and Lane", found, GRIFFITHS_LANE, TOLERANCE)
+        self.compare("factor in the history", abs(history[FACTOR][-1] - found), 1e-12)
         self.assertTrue(found < lost < found + 0.005, (found, lost))
         gravity = history.time <= 1
         self.assertTrue((history[FACTOR][gravity] == 1).all())
 
+    @problem("benchmark", "Taylor's chart")
     def test_undrained_slope(self):
         self.slope("undrained")
-        self.assert_within(TOLERANCE, self.bracket("undrained")[0], TAYLOR, "chart of Taylor")
+        self.compare_values("chart of Taylor", self.bracket("undrained")[0], TAYLOR, TOLERANCE)
 
+    @problem("consistency")
     def test_two_first_steps(self):
         """Other steps find the same factor, to the resolution."""
         brackets = []
         for step in (0.1, 0.03):
             self.slope("undrained", [*COARSE, f"stages/safety/time step/initial={step}"])
             brackets.append(self.bracket("undrained"))
-        self.assertLess(abs(brackets[0][0] - brackets[1][0]), 0.01, brackets)
+        self.compare("factor of safety", abs(brackets[0][0] - brackets[1][0]), 0.01)
 
+    @problem("behaviour")
     def test_displacement_limit(self):
         """Beyond the factor of safety the soil moves so much more that the limit hardly matters. Without one it flows
         on to the largest factor: steps that converge say nothing alone."""
@@ -62,6 +67,7 @@ class Slope(StrengthCase):
         self.slope("undrained", [f"{limit}=0.5"])
         self.assertEqual(self.found("undrained"), {})
 
+    @problem("consistency")
     def test_ranks(self):
         one = self.slope("homogeneous", COARSE)
         bracket = self.bracket("homogeneous")
@@ -69,6 +75,7 @@ class Slope(StrengthCase):
         self.assert_same_run(one, two, [FACTOR, "probe/crest/displacement y"], "two ranks", 1e-6)
         self.assertEqual(self.bracket("homogeneous"), bracket)
 
+    @problem("behaviour")
     def test_restart(self):
         """A run that is interrupted within the reduction goes on with the same factor, bit for bit, and ends alike; what
         is over stays so. The factor's growth can no longer change."""
@@ -86,6 +93,7 @@ class Slope(StrengthCase):
             self.assertTrue(np.array_equal(again, whole))
             self.assertEqual(self.found("homogeneous"), results)
 
+    @problem("consistency")
     def test_next_stage_has_whole_strengths(self):
         """After the reduction the strengths are whole: the slope stays, and a second reduction finds the factor
         again."""
@@ -101,12 +109,13 @@ class Slope(StrengthCase):
         found = {stage: value for (stage, quantity), value in self.found("homogeneous").items()
                  if quantity == "factor of safety"}
         self.assertEqual(set(found), {"safety", "again"})
-        self.assertLess(abs(found["again"] - found["safety"]), 0.01, found)
+        self.compare("factor of safety", abs(found["again"] - found["safety"]), 0.01)
         resting = np.flatnonzero(np.diff(history[FACTOR]) < -0.1)[0] + 1  # the first step of the rest
         self.assertEqual(list(history[FACTOR][resting : resting + 2]), [1, 1])
         crest = history["probe/crest/displacement y"]
-        self.assertLess(abs(crest[resting + 1] - crest[resting - 1]), 1e-6)
+        self.compare("displacement of the crest [m]", abs(crest[resting + 1] - crest[resting - 1]), 1e-6)
 
+    @problem("consistency")
     def test_numbers_of_place(self):
         """Strengths that are functions of the place, or grow with depth, are reduced as plain numbers are."""
         plain = self.slope("homogeneous", COARSE)
@@ -115,6 +124,7 @@ class Slope(StrengthCase):
         varied = self.slope("homogeneous", [*COARSE, *functions])
         self.assert_same_run(plain, varied, [FACTOR, "probe/crest/displacement y"], "functions of the place", 1e-6)
 
+    @problem("behaviour")
     def test_factor_that_is_not_reached(self):
         done = program(["run", self.deck("slope", "homogeneous"), "--set", *COARSE, "--set",
                         "stages/safety/strength reduction/largest factor=1.1", "--set",
