@@ -33,8 +33,8 @@ _started = set()  # files of records that this process has begun
 
 def problem(level=None, source=None, title=None, topic=None):
     """Says of a class of tests, or of one test, what its answer is compared with. What a test does not say is that of its
-    class. level: one of LEVELS. source: of the reference, for `exact`, `benchmark` and `measured`. title: by default the
-    class's, and the test's name. topic: the table of the page, by default that of the folder."""
+    class. level: one of LEVELS. source: of the reference, for `exact`, `benchmark` and `measured`; one belongs to the level
+    beside it. title: by default the class's, and the test's name. topic: the table of the page, by default the folder's."""
     if level is not None and level not in LEVELS:
         raise ValueError(f"level '{level}' is none of {', '.join(LEVELS)}")
     entries = {"level": level, "source": source, "title": title, "topic": topic}
@@ -49,6 +49,8 @@ def described(case, name):
     """{level, source, title, topic} of the test `name` of a class, as far as they are said."""
     of_class, of_test = getattr(case, "problem", {}), getattr(getattr(case, name), "problem", {})
     found = {**of_class, **of_test}
+    if "level" in of_test:
+        found["source"] = of_test.get("source", "")
     if "title" in of_class and "title" not in of_test:
         tests = [test for test in dir(case) if test.startswith("test")]
         words = name[len("test_"):].replace("_", " ")
@@ -102,8 +104,8 @@ class ComparedCase(unittest.TestCase):
         self.compare(what, np.max(np.abs(np.asarray(value) - exact) / size), tolerance)
 
     def compare_range(self, what, value, low, high, expected=None):
-        """low <= value <= high. The error is the distance from what is expected, by default the middle, and what is allowed is
-        that of the end on this side."""
+        """low <= value <= high. The error is the distance from what is expected, by default the middle; what is allowed is the
+        distance of the end on this side, of the farther end where both are on it."""
         expected = 0.5 * (low + high) if expected is None else expected
         end = high if value > expected else low
         self._tell(f"{what}: {value:.5g} (allowed {low:.5g} to {high:.5g})")

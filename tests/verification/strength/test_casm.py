@@ -28,7 +28,7 @@ def test(kind, ocr, **more):
             "initial state": {"mean effective stress": 100 * KPA, "overconsolidation ratio": float(ocr)}, **more}
 
 
-@problem("exact", "Yu (1998), by quadrature", "Cam Clay with the surface of CASM")
+@problem("exact", "Yu (1998), by quadrature", "Cam Clay with the surface of CASM", topic="materials")
 class Triaxial(CavityCase):
     def point(self, tests, law):
         return self.run_point(self.write("clay.xml", point_deck(law, tests)))

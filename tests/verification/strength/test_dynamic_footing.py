@@ -5,7 +5,7 @@ from compared_case import problem
 from strength_case import StrengthCase
 
 
-@problem("behaviour", title="Dynamic footing that yields")
+@problem("consistency", title="Dynamic footing that yields: settlement in a band")
 class PlasticFooting(StrengthCase):
     def test_newton_iterations(self):
         newton = self.write("newton.xml", """<ParameterList name="overlay">

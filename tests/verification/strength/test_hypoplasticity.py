@@ -28,7 +28,7 @@ def to(kind, void_ratio, strains, steps):
 
 @problem("benchmark",
          "von Wolffersdorff (1996), Niemunis and Herle (1997), integrated in references/hypoplasticity.py",
-         "Hypoplastic sand")
+         "Hypoplastic sand", topic="materials")
 class HypoplasticityTests(MudlineCase):
     def point(self, tests, skeleton):
         return self.run_point(self.write("sand.xml", point_deck(skeleton, tests, 0.7)))

@@ -34,7 +34,7 @@ def clay(*parts, **more):
 
 @problem("benchmark",
          "Wheeler (2003), Karstunen (2005), Sivasithamparam (2015), integrated in references/s_clay1s.py",
-         "Natural clay")
+         "Natural clay", topic="materials")
 class SClay1sTests(MudlineCase):
     def point(self, tests, *parts):
         skeleton = dict(BASE)
