@@ -36,7 +36,8 @@ def comparing(*paths):
 def faults(root, found, compared, known, page):
     """found: the problems; compared: levels with a row; known: names of the build's tests; page: its text."""
     folder = root / "tests" / "verification"
-    shared = [path for path in folder.glob("*/*.py") if not path.name.startswith("test_") and path.parent.name != "references"]
+    shared = [root / "tests" / "support" / "mudline_case.py"]
+    shared += [path for path in folder.glob("*/*.py") if path.name[:5] != "test_"]
     leading, heads = {}, collections.Counter(problem.row_head() for problem in found if problem.level in compared)
     for problem in found:
         where = f"{problem.file}: {problem.id}"
@@ -46,7 +47,7 @@ def faults(root, found, compared, known, page):
         if problem.level in ("exact", "benchmark", "measured") and not problem.source:
             yield f"{where} does not name the source of its reference"
         if problem.file not in leading:
-            leading[problem.file] = comparing(root / problem.file, root / "tests" / "support" / "mudline_case.py", *shared)
+            leading[problem.file] = comparing(root / problem.file, *shared)
         compares = problem.id.split(".")[1] in leading[problem.file]
         if compares != (problem.level in compared):
             yield f"{where} is of level '{problem.level}', and {'compares' if compares else 'compares nothing'}"

@@ -1,8 +1,8 @@
 """Comparisons with a reference: one call asserts, tells and records them.
 
-A test says with `problem` what it compares with. `compare` and what stands on it print the errors where MUDLINE_SHOW_ERRORS
-is set, and write them as JSON lines to the folder that MUDLINE_RECORD names, one file for every test file, which holds
-its last run. tests/verification/matrix.py makes docs/validation.md of these records.
+A test says with `problem` what it compares with. `compare` and what stands on it print the errors where
+MUDLINE_SHOW_ERRORS is set, and write them as JSON lines to the folder that MUDLINE_RECORD names, one file for every
+test file, which holds its last run. tests/verification/matrix.py makes docs/validation.md of these records.
 """
 import inspect
 import json
@@ -32,9 +32,10 @@ _started = set()  # files of records that this process has begun
 
 
 def problem(level=None, source=None, title=None, topic=None):
-    """Says of a class of tests, or of one test, what its answer is compared with. What a test does not say is that of its
-    class. level: one of LEVELS. source: of the reference, for `exact`, `benchmark` and `measured`; one belongs to the level
-    beside it. title: by default the class's, and the test's name. topic: the table of the page, by default the folder's."""
+    """Says of a class of tests, or of one test, what its answer is compared with. What a test does not say is that of
+    its class. level: one of LEVELS. source: of the reference, for `exact`, `benchmark` and `measured`; it belongs to
+    the level beside it. title: by default the class's, and the test's name. topic: the table of the page, by default
+    the folder's."""
     if level is not None and level not in LEVELS:
         raise ValueError(f"level '{level}' is none of {', '.join(LEVELS)}")
     entries = {"level": level, "source": source, "title": title, "topic": topic}
@@ -64,10 +65,11 @@ def test_file(case):
 
 
 def grid_convergence(values, ratio=2.0):
-    """(observed order p, relative grid convergence index of the finest mesh) of a value on three nested meshes, coarse to fine,
-    each `ratio` times as fine as the one before: p = ln((f3 - f2)/(f2 - f1))/ln r, GCI = 1.25 |(f2 - f1)/f1|/(r^p - 1), f1
-    on the finest (P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng. 116,
-    405-413, 1994). (nan, nan) where the values do not converge monotonically."""
+    """(observed order p, relative grid convergence index of the finest mesh) of a value on three nested meshes,
+    coarse to fine, each `ratio` times as fine as the one before: p = ln((f3 - f2)/(f2 - f1))/ln r, GCI = 1.25
+    |(f2 - f1)/f1|/(r^p - 1), f1 on the finest (P. J. Roache, Perspective: a method for uniform reporting of grid
+    refinement studies, J. Fluids Eng. 116, 405-413, 1994). (nan, nan) where the values do not converge
+    monotonically."""
     coarse, middle, fine = values[-3:]
     quotient = (middle - coarse) / (fine - middle)
     if not quotient > 1:
@@ -104,8 +106,8 @@ class ComparedCase(unittest.TestCase):
         self.compare(what, np.max(np.abs(np.asarray(value) - exact) / size), tolerance)
 
     def compare_range(self, what, value, low, high, expected=None):
-        """low <= value <= high. The error is the distance from what is expected, by default the middle; what is allowed is the
-        distance of the end on this side, of the farther end where both are on it."""
+        """low <= value <= high. The error is the distance from what is expected, by default the middle; what is
+        allowed is the distance of the end on this side, of the farther end where both are on it."""
         expected = 0.5 * (low + high) if expected is None else expected
         end = high if value > expected else low
         self._tell(f"{what}: {value:.5g} (allowed {low:.5g} to {high:.5g})")
@@ -114,8 +116,8 @@ class ComparedCase(unittest.TestCase):
         self.assertLessEqual(value, high, what)
 
     def compare_orders(self, what, errors, least, most=np.inf, ratio=2.0, all_orders=False):
-        """Observed order of errors, each on a mesh or step `ratio` times as fine as the one before: that of the last two, or all,
-        lies between `least` and `most`. Returns the orders."""
+        """Observed order of errors, each on a mesh or step `ratio` times as fine as the one before: that of the last
+        two, or all, lies between `least` and `most`. Returns the orders."""
         errors = np.asarray(errors, dtype=float)
         orders = np.log(errors[:-1] / errors[1:]) / np.log(ratio)
         self._tell(f"{what}: errors {' '.join(f'{e:.2e}' for e in errors)}, orders {np.round(orders, 2)}")
@@ -127,10 +129,11 @@ class ComparedCase(unittest.TestCase):
         return orders
 
     def compare_meshes(self, what, values, exact, ratio=2.0):
-        """A value on three nested meshes, coarse to fine: the grid convergence index covers the error of the finest."""
+        """A value on three nested meshes, coarse to fine: the grid convergence index covers the finest error."""
         order, index = grid_convergence(values, ratio)
         error = float(abs(exact / values[-1] - 1))
-        self._tell(f"{what}: {' '.join(f'{value:.8g}' for value in values)}, order {order:.2f}, GCI {index:.1e}, error {error:.1e}")
+        self._tell(f"{what}: {' '.join(f'{value:.8g}' for value in values)}, order {order:.2f}, GCI {index:.1e}, "
+                   f"error {error:.1e}")
         self._record(what=what, values=[float(value) for value in values], order=order, gci=index, true_error=error)
         self.assertLessEqual(error, index, what)
 
@@ -148,7 +151,8 @@ class ComparedCase(unittest.TestCase):
         with open(path, "a" if path in _started else "w", encoding="utf-8") as file:
             if path not in _started:
                 _started.add(path)
-                file.write(json.dumps({"file": source, "date": time.strftime("%Y-%m-%d"), "processor": processor()}) + "\n")
+                head = {"file": source, "date": time.strftime("%Y-%m-%d"), "processor": processor()}
+                file.write(json.dumps(head) + "\n")
             file.write(json.dumps({"test": f"{type(self).__name__}.{self._testMethodName}", **entries}) + "\n")
 
 

@@ -5,9 +5,10 @@
     matrix.py --tests REGEX    runs only these; of the others the last records stand
     matrix.py --no-run         writes the page from the records that are there
 
-The records are JSON lines that the tests write where MUDLINE_RECORD names a folder (tests/support/compared_case.py), here
-build/release/records. So `MUDLINE_RECORD=$PWD/build/release/records ./mudline test` makes them too. What a row is called,
-and what it is compared with, stands beside the test (`problem`). Every figure of the page comes from a record.
+The records are JSON lines that the tests write where MUDLINE_RECORD names a folder (tests/support/compared_case.py),
+here build/release/records. So `MUDLINE_RECORD=$PWD/build/release/records ./mudline test` makes them too. What a row
+is called, and what it is compared with, stands beside the test (`problem`). Every figure of the page comes from a
+record.
 """
 import argparse
 import importlib.util
@@ -38,8 +39,8 @@ COLOURS = {"exact": "#0b5d8a", "benchmark": "#d1622b", "measured": "#8a4f9e", "c
 SMALLEST = 1e-8  # [-] shares below are drawn here
 
 NOT_FOUND = """
-- The resistance of a cone in Hochstetten sand: the law's parameters are published, a measured resistance was not found
-  ([sand cone](benchmarks/sand_cone.md)).
+- The resistance of a cone in the sand of [the sand cone](benchmarks/sand_cone.md): the parameters of the law are
+  published, a measured resistance is not.
 - The parameters of the kaolin in which the piezocones of May (1987) were pushed, and which strength was measured: the
   abstract has neither ([piezocone](measurements/kaolin_cone.md)). Those of another kaolin are used.
 - The name of the sand of GA-cal and its parameters of the intergranular strain ([sand](measurements/sand.md)).
@@ -96,8 +97,9 @@ def problems():
         spec.loader.exec_module(module)
         for case in vars(module).values():
             if isinstance(case, type) and issubclass(case, unittest.TestCase) and case.__module__ == spec.name:
-                tests = [(getattr(case, name).__code__.co_firstlineno, name) for name in dir(case) if name.startswith("test")]
-                found += [Problem(path, case, name) for _, name in sorted(tests)]
+                names = [name for name in dir(case) if name.startswith("test")]
+                names.sort(key=lambda name: getattr(case, name).__code__.co_firstlineno)
+                found += [Problem(path, case, name) for name in names]
         sys.path.remove(str(path.parent))
     return found
 
@@ -148,7 +150,8 @@ def convergence(problem):
         span = f"{min(found):.2f}" + (f" to {max(found):.2f}" if len(found) > 1 else "")
         parts.append(f"{max(len(line['errors']) for line in orders)} meshes or steps, order {span}")
     for line in problem.of("gci"):
-        parts.append(f"{line['what']}: order {line['order']:.2f}, GCI {number(line['gci'])}, error {number(line['true_error'])}")
+        parts.append(f"{line['what']}: order {line['order']:.2f}, GCI {number(line['gci'])}, "
+                     f"error {number(line['true_error'])}")
     return "; ".join(parts)
 
 
@@ -160,7 +163,8 @@ def row(problem):
         failed = "" if problem.outcome == "passed" else f"**{problem.outcome}**, "
         what, error, allowed = compared(problem)
         cells = [level, failed + what, error, allowed, convergence(problem), f"{problem.cpu:.1f}"]
-    return " ".join([problem.row_head(), *(cell.replace("|", "\\|") + " |" for cell in cells), f"`{problem.command}` |"])
+    cells = [cell.replace("|", "\\|") + " |" for cell in cells]
+    return " ".join([problem.row_head(), *cells, f"`{problem.command}` |"])
 
 
 def summary(rows):
@@ -171,8 +175,9 @@ def summary(rows):
         shares = [(share(problem.nearest()), problem) for problem in mine if problem.nearest()]
         largest = max(shares, key=lambda pair: pair[0], default=None)
         told = f"{100 * largest[0]:.0f} %: {largest[1].title}, {largest[1].nearest()['what']}" if largest else ""
+        ran = sum(problem.outcome in ("passed", "failed") for problem in mine)
         failed = sum(problem.outcome == "failed" for problem in mine)
-        lines.append(f"| {level} | {LEVELS[level]} | {len(mine)} | {sum(p.outcome is not None for p in mine)} | {failed} | {told} |")
+        lines.append(f"| {level} | {LEVELS[level]} | {len(mine)} | {ran} | {failed} | {told} |")
     return lines
 
 
@@ -194,8 +199,9 @@ def misses(page):
                 by_test.setdefault(cells[0], []).append(float(re.match(r"([+-]?[\d.]+) %", cells[column])[1]))
             for test, found in by_test.items():
                 span = f"{min(found):+.0f} %" if len(found) == 1 else f"{min(found):+.0f} to {max(found):+.0f} %"
-                what = head[column - 1]
-                lines.append(f"| [{page.replace('_', ' ')}](measurements/{page}.md) | {test} | {what} | {len(found)} | {span} |")
+                link = f"[{page.replace('_', ' ')}](measurements/{page}.md)"
+                what = head[column - 1].replace("measured", "computed")
+                lines.append(f"| {link} | {test} | {what} | {len(found)} | {span} |")
     return lines
 
 
@@ -209,8 +215,8 @@ def draw(rows, path):
     topics = [topic for topic in TOPICS.values() if any(problem.topic == topic for problem in rows)]
     figure, axes = plt.subplots(figsize=(8.5, 0.42 * len(topics) + 1.3), constrained_layout=True)
     for level in reversed(COMPARED):
-        points = [(max(share(line), SMALLEST), topics.index(problem.topic)) for problem in rows if problem.level == level
-                  for line in problem.of("allowed")]
+        points = [(max(share(line), SMALLEST), topics.index(problem.topic)) for problem in rows
+                  if problem.level == level for line in problem.of("allowed")]
         offset = 0.27 - 0.18 * COMPARED.index(level)
         axes.plot([x for x, _ in points], [y - offset for _, y in points], "o", ms=3.5, alpha=0.55, mew=0,
                   color=COLOURS[level], label=level)
@@ -224,7 +230,7 @@ def draw(rows, path):
         axes.axhline(y - 0.5, color="#e3e3e3", lw=0.8)
     axes.set_xlabel("error over allowed error (at the left end: less)")
     handles, labels = axes.get_legend_handles_labels()
-    axes.legend(handles[::-1], labels[::-1], loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=4, frameon=False, fontsize=9)
+    axes.legend(handles[::-1], labels[::-1], loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=4, frameon=False)
     figure.savefig(path, dpi=130)
 
 
@@ -234,50 +240,55 @@ def page(found, heads):
         "# Verification and validation", "",
         "All problems by which the program is checked, one row for each. The page is written by", "",
         "    /usr/bin/python3 tests/verification/matrix.py", "",
-        "which runs the tests and reads what they record. After `MUDLINE_RECORD=$PWD/build/release/records ./mudline test` the",
-        "same with `--no-run` is enough. A row is repeated by", "",
+        "which runs the tests and reads what they record. After",
+        "`MUDLINE_RECORD=$PWD/build/release/records ./mudline test` the same with `--no-run` is enough. A row is",
+        "repeated by", "",
         "    ctest --test-dir build/release -R NAME", "",
         "with the name in its last column; with `MUDLINE_SHOW_ERRORS=1` and `-V` all of its errors are shown.", "",
         "![Error over allowed error of all comparisons, by topic](pictures/validation.png)", "",
         "## Summary", "", *summary(rows), ""]
     behaviour = sum(problem.level == "behaviour" for problem in found)
-    lines += [f"{len(rows)} rows, {sum(len(problem.comparisons) for problem in rows)} comparisons. {behaviour} more tests compare",
-              "no figure (messages, restarts bit for bit, what moves and what does not) and have no row.", ""]
+    comparisons = sum(len(problem.comparisons) for problem in rows)
+    lines += [f"{len(rows)} rows, {comparisons} comparisons. {behaviour} more tests compare no figure (messages,",
+              "restarts bit for bit, what moves and what does not) and have no row.", ""]
     dates = sorted({head["date"] for head in heads})
     machines = sorted({head["processor"] for head in heads})
     if heads:
-        lines += [f"Run on {' to '.join(dict.fromkeys((dates[0], dates[-1])))}. CPU times are seconds, user and system, of the test "
-                  "and all that it starts, on",
-                  f"one machine ({', '.join(machines)}, other work beside). A run that several tests of a class use counts",
-                  "for the first.", ""]
+        when = " to ".join(dict.fromkeys((dates[0], dates[-1])))
+        lines += [f"Run on {when}. CPU times are seconds, user and system, of the test and all that it starts, on",
+                  f"one machine ({', '.join(machines)}, with other work beside).",
+                  "A run that several tests of a class use counts for the first.", ""]
     missing = [problem for problem in rows if problem.outcome is None]
     if missing:
-        names = sorted({problem.command for problem in missing})
-        lines += [f"{len(missing)} rows have no figure (not run on this page's date), of: {', '.join(f'`{name}`' for name in names)}.", ""]
+        names = ", ".join(f"`{name}`" for name in sorted({problem.command for problem in missing}))
+        lines += [f"{len(missing)} rows have no figure (not run on this page's date), of: {names}.", ""]
     lines += [
         "## How to read the tables", "",
-        "The row shows, of all comparisons of the test, the one that takes the largest share of what it is allowed. Errors are",
-        "relative to the reference or to its largest value, or in SI units; the test says which. What is allowed is the test's",
-        "tolerance. Of measurements the error is the miss, and what is allowed is the largest that the test lets pass.", "",
-        "Where a quantity is computed on three nested meshes, each twice as fine as the one before, with values $f_3$, $f_2$, $f_1$ from",
-        "coarse to fine, the observed order and the grid convergence index are", "",
+        "The row shows, of all comparisons of the test, the one that takes the largest share of what it is allowed.",
+        "Errors are relative to the reference or to its largest value, or in SI units; the test says which. What is",
+        "allowed is the test's tolerance. Of measurements the error is the miss, and what is allowed is the largest",
+        "that the test lets pass. Where no error is bounded but its order, the order stands there.", "",
+        "Where a quantity is computed on three nested meshes, each twice as fine as the one before, with values",
+        "$f_3$, $f_2$, $f_1$ from coarse to fine, the observed order and the grid convergence index are", "",
         "$$ p = \\ln\\frac{f_3 - f_2}{f_2 - f_1} / \\ln 2, \\qquad "
         "\\mathrm{GCI} = 1.25\\,\\left|\\frac{f_2 - f_1}{f_1}\\right| \\frac{1}{2^p - 1} $$", "",
-        "(P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng. 116, 405-413, 1994).",
-        "There the exact value is known, and the test asks the index to cover the error of the finest mesh.", ""]
+        "(P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng. 116,",
+        "405-413, 1994). There the exact value is known, and the test asks the index to cover the error of the",
+        "finest mesh.", ""]
     for topic in dict.fromkeys(TOPICS.values()):
         mine = [problem for problem in rows if problem.topic == topic]
         if mine:
             lines += [f"## {topic[0].upper()}{topic[1:]}", "",
-                      "| problem | level and reference | nearest to its bound | error | allowed | meshes, order, GCI | CPU [s] | "
-                      "`ctest -R` |", "|---|---|---|---|---|---|---|---|", *map(row, mine), ""]
+                      "| problem | level and reference | nearest to its bound | error | allowed | meshes, order, GCI "
+                      "| CPU [s] | `ctest -R` |", "|---|---|---|---|---|---|---|---|", *map(row, mine), ""]
     lines += ["## Held against measurements", "",
-              "Misses in per cent of the measured value, least and largest over the points of a test, as the pages have them.", "",
+              "Misses in per cent of the measured value, least and largest over the points of a test, as the pages",
+              "have them.", "",
               "| page | test | what | points | miss |", "|---|---|---|---|---|",
               *(line for name in MEASUREMENTS for line in misses(name)), ""]
     unmeasured = [topic for topic in dict.fromkeys(TOPICS.values())
                   if not any(problem.topic == topic and problem.level == "measured" for problem in rows)]
-    lines += ["The cone is compared on its page only, no test repeats it. No test compares with a measurement in: " +
+    lines += ["The cone is compared on its page only, no test repeats it. No test compares with a measurement in",
               "; ".join(unmeasured) + ".", "", "## Looked for and not found", "", NOT_FOUND.strip(), ""]
     return "\n".join(lines)
 
@@ -293,7 +304,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--tests", default="^verification", metavar="REGEX", help="which tests to run")
     arguments.add_argument("--no-run", action="store_true", help="take the records that are there")
-    arguments.add_argument("--records", type=pathlib.Path, default=RECORDS, metavar="FOLDER", help="folder of the records")
+    arguments.add_argument("--records", type=pathlib.Path, default=RECORDS, metavar="FOLDER", help="their folder")
     given = arguments.parse_args()
     code = 0 if given.no_run else run(given.tests, given.records.resolve())
     found = problems()

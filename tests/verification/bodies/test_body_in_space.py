@@ -48,7 +48,7 @@ class BodyInSpace(MudlineCase):
                          np.abs(self.vectors(history, "spin") - np.einsum("tij,tj->ti", turn, spin)).max()])
 
     def converging(self, settings, sizes, duration, exact, least, quantities=range(4)):
-        """exact(times) as reference.move gives it. Errors by size and quantity; the orders of `quantities` are at least
+        """exact(times) as reference.move gives it. Errors by size and quantity; orders of `quantities`, at least
         `least`."""
         errors = np.array([self.errors(history, exact(history.time))
                            for history in (self.turn(settings, dt, duration) for dt in sizes)])
@@ -91,8 +91,8 @@ class Tops(BodyInSpace):
             times, MASS, tensor, lambda t, x, turn, v, w: (np.zeros(3), turn.T @ [0.2 * math.cos(t), 0, -0.1 * t]),
             position=(0, 0, 20), spin=spin)
         for radius in (1.0, 0.5):
-            errors = self.converging(settings + (f"stages/turn/integrator/spectral radius={radius}",), (0.05, 0.025), 6.0,
-                                     exact, 1.9, (1, 3))
+            spectral = (f"stages/turn/integrator/spectral radius={radius}",)
+            errors = self.converging(settings + spectral, (0.05, 0.025), 6.0, exact, 1.9, (1, 3))
             self.compare("rotation", errors[-1, 1], 2e-3)
 
     @problem("exact", "steady precession of a heavy top")
@@ -171,7 +171,8 @@ class Water(BodyInSpace):
         velocity, spin = np.array([0.6, -0.3, -1.0]), np.array([0.5, 0.2, 0.3])
         settings = self.wet(initial_velocity=numbers(velocity), initial_spin=numbers(spin))
         for radius in (1.0, 0.5):
-            errors = self.converging(settings + (f"stages/turn/integrator/spectral radius={radius}",), (0.04, 0.02), 4.0,
+            spectral = (f"stages/turn/integrator/spectral radius={radius}",)
+            errors = self.converging(settings + spectral, (0.04, 0.02), 4.0,
                                      lambda times: self.exact(times, velocity=velocity, spin=spin), 1.85)
             self.compare("largest error of the path", errors[-1].max(), 5e-3)
 

@@ -140,8 +140,8 @@ class PointTests(MudlineCase):
         self.compare("engineering volumetric strain",
                      abs(h["engineering"]["engineering volumetric strain"][20] - 0.1), 1e-13)
         self.compare("axial strain", abs(h["engineering"]["axial strain"][20] + np.log(0.9)), 1e-13)
-        np.testing.assert_allclose(h["log"].time, np.concatenate((np.linspace(0, 200, 11), np.linspace(210, 300, 10))),
-                                   rtol=1e-12)
+        times = np.concatenate((np.linspace(0, 200, 11), np.linspace(210, 300, 10)))
+        np.testing.assert_allclose(h["log"].time, times, rtol=1e-12)
         self.compare_values("void ratio", 1 + h["log"]["void ratio"], 1.8 * np.exp(-h["log"]["volumetric strain"]),
                             1e-13)
 

@@ -39,7 +39,8 @@ class MeshMotion(SpaceCase):
                 for name in ("probe/top/displacement z", "probe/base/pore pressure", "probe/inside/displacement z", "probe/inside/pore pressure"):
                     scale = np.abs(still[name]).max()
                     self.compare(f"{cell}: {name}", np.abs(moved.at(name, still.time) - still[name]).max() / scale,
-                                 5e-3 if name == "probe/inside/pore pressure" else 1e-3)  # linear between vertices that are elsewhere
+                                 # linear between vertices that are elsewhere
+                                 5e-3 if name == "probe/inside/pore pressure" else 1e-3)
                 place = {name: moved[f"probe/{name}/pore pressure"] for name in ("node", "same", "outside")}
                 self.compare("probe at a node",
                              np.abs(place["same"] - place["node"]).max() / (np.abs(place["node"]).max()), 1e-12)
