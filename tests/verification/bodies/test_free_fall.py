@@ -80,8 +80,9 @@ class FreeFall(MudlineCase):
         self.compare("balance of energy",
                      np.abs(history["balance/energy/error"]).max() / (history["body/anchor/kinetic energy"][-1]),
                      1e-6)
-        self.compare("numerical dissipation", np.abs(history["balance/energy/numerical dissipation"]).max()
-                     / history["body/anchor/kinetic energy"][-1], 1e-9)
+        self.compare("numerical dissipation",
+                     np.abs(history["balance/energy/numerical dissipation"]).max() / history["body/anchor/kinetic energy"][-1],
+                     1e-9)
 
 
 if __name__ == "__main__":

@@ -122,8 +122,7 @@ class AbsorbingWaves(DynamicsCase):
         found, error = self.reflected(case)
         self.compare_values(f"{name}: motion", error, 0.0, 1e-2, 1.0)
         for kind in "PS":
-            self.compare_values(f"{name}: reflected {kind}",
-                                found[kind], case.coefficient[kind], 3e-3, 1.0)
+            self.compare_values(f"{name}: reflected {kind}", found[kind], case.coefficient[kind], 3e-3, 1.0)
         return found
 
     def test_normal_incidence(self):

@@ -23,7 +23,7 @@ def leading_pole(signal, dt, order):
 @problem("exact", "linear u-p theory after Zienkiewicz, Chang and Bettess (1980), modal sums",
          "Column with compressible water")
 class CompressibleColumn(DynamicsCase):
-    def compare(self, history, column, load, times, probes, name, tolerance=5e-3, top=True):
+    def compare_response(self, history, column, load, times, probes, name, tolerance=5e-3, top=True):
         depths = [0] + list(probes.values())
         u, p = column.response(depths, times, load)
         if top:
@@ -39,9 +39,9 @@ class CompressibleColumn(DynamicsCase):
             with self.subTest(fluid_acceleration=accelerating):
                 history = self.run_deck(self.deck("sand_and_water"), fluid_acceleration(accelerating) + (
                     f"output/probes/middle={{0.0, {10 - middle}}}",))
-                self.compare(history, replace(SAND, fluid_acceleration=accelerating),
-                             reference.one_minus_cosine(1e3 * SCALE, 200.0), np.array([0.01, 0.03, 0.1]),
-                             {"middle": middle, "base": 10.0}, f"fluid acceleration {accelerating}: ")
+                self.compare_response(history, replace(SAND, fluid_acceleration=accelerating),
+                                      reference.one_minus_cosine(1e3 * SCALE, 200.0), np.array([0.01, 0.03, 0.1]),
+                                      {"middle": middle, "base": 10.0}, f"fluid acceleration {accelerating}: ")
 
     def test_gassy_water_under_a_sine_ramp(self):
         middle = corner(30.0, 60, 0.2, 15.0)
@@ -49,9 +49,9 @@ class CompressibleColumn(DynamicsCase):
             with self.subTest(fluid_acceleration=accelerating):
                 history = self.run_deck(self.deck("sine_ramp"), fluid_acceleration(accelerating) + (
                     f"output/probes/middle={{0.0, {30 - middle}}}",))
-                self.compare(history, replace(SINE_RAMP, fluid_acceleration=accelerating),
-                             reference.sine_ramp(1e3 * SCALE, 0.1), np.array([0.1, 0.5, 1.0]),
-                             {"middle": middle, "base": 30.0}, f"fluid acceleration {accelerating}: ")
+                self.compare_response(history, replace(SINE_RAMP, fluid_acceleration=accelerating),
+                                      reference.sine_ramp(1e3 * SCALE, 0.1), np.array([0.1, 0.5, 1.0]),
+                                      {"middle": middle, "base": 30.0}, f"fluid acceleration {accelerating}: ")
 
     def test_undrained_frequency_and_damping(self):
         """A short pulse, then free vibration. Without algorithmic damping the flow of water alone damps it."""
