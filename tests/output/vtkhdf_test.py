@@ -101,7 +101,7 @@ class Vtkhdf(MudlineCase):
         done = program(["run", "-q", *arguments], ranks, self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
 
-    def compare(self, name):
+    def compare_with_h5(self, name):
         """Returns the number of steps, of meshes, and the kinds of cells."""
         stem = os.path.join(self.folder, "results", name)
         fields = Fields(stem + ".h5")
@@ -149,9 +149,9 @@ class Vtkhdf(MudlineCase):
         decks = [self.write("ball.xml", ball()), self.write("over.xml", remeshing(4, WALL, FOCUS))]
         often = ["--set", "output/field steps=2", "--set", "stages/push/duration=2.5e-3"]
         self.runs(*decks, *often, "--steps", "5", ranks=2)
-        first = self.compare("ball")
+        first = self.compare_with_h5("ball")
         self.runs(*decks, *often, "--restart")
-        steps, meshes, kinds = self.compare("ball")
+        steps, meshes, kinds = self.compare_with_h5("ball")
         self.assertGreater(steps, first[0] + 2)
         self.assertGreaterEqual(meshes, 3)
         self.assertEqual(kinds, {22})
@@ -171,7 +171,7 @@ class Vtkhdf(MudlineCase):
             "remeshing": {"when quality below": 0.0, "when side above": 0.1, "least steps": 2, "wall size": 0.25}}}))
         settings = ("mesh/cells={5, 3, 3}", "mesh/distortion=0.3", "stages/push/duration=0.2", "output/field steps=1")
         self.runs(deck, over, *(word for pair in settings for word in ("--set", pair)))
-        steps, meshes, kinds = self.compare("ball")
+        steps, meshes, kinds = self.compare_with_h5("ball")
         self.assertGreaterEqual(steps, 3)
         self.assertGreaterEqual(meshes, 2)
         self.assertEqual(kinds, {24})
@@ -188,7 +188,7 @@ class Vtkhdf(MudlineCase):
                 settings.append("physics/ground/pressure=equal order")
             words = [word for one in settings for word in ("--set", one)]
             self.runs(space if in_space else plane, "--steps", "1", *words)
-            self.assertEqual(self.compare(cell), (2, 1, {CELLS[number][1]}))
+            self.assertEqual(self.compare_with_h5(cell), (2, 1, {CELLS[number][1]}))
 
     def test_result_of_an_earlier_version(self):
         """Its mesh has no cells for VTK: a restart goes on without the file, and says so."""
@@ -214,7 +214,7 @@ class Vtkhdf(MudlineCase):
         deck = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
         self.runs(deck, "--overwrite", "--steps", "1", "--set", "output/name=same", "--set", "mesh/cells={1, 3}")
         self.assertFalse(os.path.exists(body))
-        self.compare("same")
+        self.compare_with_h5("same")
 
 
 if __name__ == "__main__":

@@ -74,13 +74,13 @@ class ApplicationDecks(MudlineCase):
         one = self.whole(deck, "whole")
         self.assertGreater(len(one.time), 16)  # else there is no moment to interrupt it
         with self.subTest("ranks"):
-            self.compare(one, self.whole(deck, "two", 2), WATER.get(deck, SOME_WATER))
+            self.compare_runs(one, self.whole(deck, "two", 2), WATER.get(deck, SOME_WATER))
         for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGTERM, 4)):
             moment = random.randint(7, len(one.time) - 6)
             with self.subTest(signal=number, steps=len(one.time), moment=moment):
                 self.interrupt(deck, number, code, moment)
 
-    def compare(self, one, two, water):
+    def compare_runs(self, one, two, water):
         self.assertEqual(one.header, two.header)
         self.assertEqual(one.data.shape, two.data.shape)
         for i, column in enumerate(one.header):

@@ -14,18 +14,17 @@ import subprocess
 import sys
 
 ROW = re.compile(r"^(\| \[[^\]]+\]\(\.\./tests/verification/[^)]+\) \|).*\| `([^`]+)` \|$", re.M)
-COMPARISONS = {"compare", "compare_values", "compare_range", "compare_orders", "compare_meshes"}
 
 
-def comparing(*paths):
-    """Names of the functions in these files that lead to a comparison, also by other functions."""
+def comparing(comparisons, paths):
+    """Names of the functions in these files that lead to one of the comparisons, also by other functions."""
     calls = collections.defaultdict(set)
     for path in paths:
         for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(function, ast.FunctionDef):
                 calls[function.name] |= {call.func.attr for call in ast.walk(function)
                                          if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute)}
-    found = set(COMPARISONS)
+    found = set(comparisons)
     while True:
         more = {name for name, called in calls.items() if called & found} - found
         if not more:
@@ -33,8 +32,9 @@ def comparing(*paths):
         found |= more
 
 
-def faults(root, found, compared, known, page):
-    """found: the problems; compared: levels with a row; known: names of the build's tests; page: its text."""
+def faults(root, found, compared, comparisons, known, page):
+    """found: the problems; compared: levels with a row; comparisons: calls that compare; known: names of the build's
+    tests; page: its text."""
     folder = root / "tests" / "verification"
     shared = [root / "tests" / "support" / "mudline_case.py"]
     shared += [path for path in folder.glob("*/*.py") if path.name[:5] != "test_"]
@@ -47,7 +47,7 @@ def faults(root, found, compared, known, page):
         if problem.level in ("exact", "benchmark", "measured") and not problem.source:
             yield f"{where} does not name the source of its reference"
         if problem.file not in leading:
-            leading[problem.file] = comparing(root / problem.file, *shared)
+            leading[problem.file] = comparing(comparisons, [root / problem.file, *shared])
         compares = problem.id.split(".")[1] in leading[problem.file]
         if compares != (problem.level in compared):
             yield f"{where} is of level '{problem.level}', and {'compares' if compares else 'compares nothing'}"
@@ -66,11 +66,12 @@ def main():
     root, ctest, build = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], sys.argv[3]
     sys.path.insert(0, str(root / "tests" / "verification"))
     import matrix
+    from compared_case import COMPARISONS
 
     listed = subprocess.run([ctest, "--test-dir", build, "-N"], capture_output=True, text=True, check=True).stdout
     known = set(re.findall(r"^ +Test +#\d+: (\S+)", listed, flags=re.M))
     page = (root / "docs" / "validation.md").read_text(encoding="utf-8")
-    lines = list(faults(root, matrix.problems(), matrix.COMPARED, known, page))
+    lines = list(faults(root, matrix.problems(), matrix.COMPARED, COMPARISONS, known, page))
     print("\n".join(lines) if lines else "every verification test has its row, and every row its test")
     return 1 if lines else 0
 

@@ -25,6 +25,8 @@ LEVELS = {
 }
 COMPARED = ("exact", "benchmark", "measured", "consistency")  # levels that are rows of the matrix
 
+COMPARISONS = {"compare", "compare_values", "compare_range", "compare_orders", "compare_meshes"}
+
 SAFETY = 1.25  # [-] factor of the grid convergence index for three meshes (Roache 1994)
 
 _spent = 0.0  # [s] CPU time of the tests of this process that have ended
@@ -80,6 +82,12 @@ def grid_convergence(values, ratio=2.0):
 
 class ComparedCase(unittest.TestCase):
     """A test whose comparisons are asserted, told and recorded."""
+
+    def __init_subclass__(cls, **options):
+        super().__init_subclass__(**options)
+        hidden = COMPARISONS & vars(cls).keys()
+        if hidden:
+            raise TypeError(f"{cls.__name__} hides {', '.join(sorted(hidden))} of ComparedCase")
 
     def run(self, result=None):
         result = result if result is not None else self.defaultTestResult()
