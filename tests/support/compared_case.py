@@ -67,11 +67,11 @@ def test_file(case):
 
 
 def grid_convergence(values, formal, ratio=2.0):
-    """(observed order p, relative grid convergence index of the finest mesh) of a value on three nested meshes, coarse
-    to fine, each `ratio` times as fine as the one before: p = ln((f3 - f2)/(f2 - f1))/ln r,
-    GCI = F |(f2 - f1)/f1|/(r^p - 1), with f1 on the finest mesh and F = 1.25. An observed order more than a tenth above
-    the formal one is not trusted: the formal order is taken instead, and F = 3. (P. J. Roache, J. Fluids Eng. 116,
-    405-413, 1994, and 133, 115501, 2011.) (nan, nan) where the values do not converge monotonically."""
+    """(observed order p, relative grid convergence index of the finest mesh) of a value on three nested meshes,
+    coarse to fine, each `ratio` times as fine as the one before: p = ln((f3 - f2)/(f2 - f1))/ln r,
+    GCI = F |(f2 - f1)/f1|/(r^p - 1), with f1 on the finest mesh and F = 1.25. An observed order more than a tenth
+    above the formal one is not trusted: the formal order is taken instead, and F = 3. (P. J. Roache, J. Fluids Eng.
+    116, 405-413, 1994, and 133, 115501, 2011.) (nan, nan) where the values do not converge monotonically."""
     coarse, middle, fine = values[-3:]
     quotient = (middle - coarse) / (fine - middle)
     if not quotient > 1:
