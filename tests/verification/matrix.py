@@ -6,8 +6,8 @@
     matrix.py --no-run         writes the page from the records that are there
 
 The records are JSON lines that the tests write where MUDLINE_RECORD names a folder (tests/support/compared_case.py),
-here build/release/records. `./mudline test` makes them too. What a row is called, and what it is compared with, stands
-beside the test (`problem`). Every figure of the page comes from a record.
+here build/release/records. `./mudline test` makes them too. What a row is called, and what it is compared with,
+stands beside the test (`problem`). Every figure of the page comes from a record.
 """
 import argparse
 import importlib.util
@@ -239,8 +239,8 @@ def page(found, heads):
         "# Verification and validation", "",
         "All problems by which the program is checked, one row for each. The page is written by", "",
         "    /usr/bin/python3 tests/verification/matrix.py", "",
-        "which runs the tests and reads what they record; after `./mudline test` the same with `--no-run` is enough. A",
-        "row is repeated by", "",
+        "which runs the tests and reads what they record; after `./mudline test` the same with `--no-run` is enough.",
+        "A row is repeated by", "",
         "    ctest --test-dir build/release -R NAME", "",
         "with the name in its last column; with `MUDLINE_SHOW_ERRORS=1` and `-V` all of its errors are shown.", "",
         "![Error over allowed error of all comparisons, by topic](pictures/validation.png)", "",
