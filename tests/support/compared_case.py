@@ -2,7 +2,7 @@
 
 A test says with `problem` what it compares with. `compare` and what stands on it print the errors where
 MUDLINE_SHOW_ERRORS is set, and write them as JSON lines to the folder that MUDLINE_RECORD names, one file for every
-test file, which holds its last run. tests/verification/matrix.py makes docs/validation.md of these records.
+test, which holds its last run. tests/verification/matrix.py makes docs/validation.md of these records.
 """
 import inspect
 import json
@@ -64,6 +64,11 @@ def described(case, name):
 def test_file(case):
     """The file of a class of tests, from the root of the tree."""
     return os.path.relpath(os.path.abspath(inspect.getfile(case)), ROOT)
+
+
+def record_file(folder, source, test):
+    """The file in which a test (Class.name) of a file of the tree is recorded."""
+    return os.path.join(folder, f"{source.replace(os.sep, '.')}.{test}.jsonl")
 
 
 def grid_convergence(values, formal, ratio=2.0):
@@ -155,15 +160,13 @@ class ComparedCase(unittest.TestCase):
         folder = os.environ.get("MUDLINE_RECORD")
         if not folder:
             return
-        source = test_file(type(self))
-        path = os.path.join(folder, source.replace(os.sep, ".") + ".jsonl")
+        path = record_file(folder, test_file(type(self)), f"{type(self).__name__}.{self._testMethodName}")
         os.makedirs(folder, exist_ok=True)
         with open(path, "a" if path in _started else "w", encoding="utf-8") as file:
             if path not in _started:
                 _started.add(path)
-                head = {"file": source, "date": time.strftime("%Y-%m-%d"), "processor": processor()}
-                file.write(json.dumps(head) + "\n")
-            file.write(json.dumps({"test": f"{type(self).__name__}.{self._testMethodName}", **entries}) + "\n")
+                file.write(json.dumps({"date": time.strftime("%Y-%m-%d"), "processor": processor()}) + "\n")
+            file.write(json.dumps(entries) + "\n")
 
 
 def processor():

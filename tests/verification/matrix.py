@@ -23,7 +23,7 @@ import unittest
 FOLDER = pathlib.Path(__file__).resolve().parent
 TOP = FOLDER.parents[1]
 sys.path[:0] = [str(TOP / "tests" / "support"), str(FOLDER)]
-from compared_case import COMPARED, LEVELS, described  # noqa: E402
+from compared_case import COMPARED, LEVELS, described, record_file  # noqa: E402
 
 RECORDS = TOP / "build" / "release" / "records"
 PAGE, PICTURE = TOP / "docs" / "validation.md", TOP / "docs" / "pictures" / "validation.png"
@@ -63,13 +63,15 @@ class Problem:
         """The first cell of its row."""
         return f"| [{self.title}](../{self.file}) |"
 
-    def add(self, lines):
-        """What the lines of its file record of it."""
-        mine = [line for line in lines if line.get("test") == self.id]
-        ends = [line for line in mine if "outcome" in line]
-        if ends:
-            self.cpu, self.outcome = ends[-1]["cpu"], ends[-1]["outcome"]
-            self.comparisons = [line for line in mine if "what" in line]
+    def read(self, records):
+        """Takes what its last run recorded; returns the head of the record (date, processor), None without one."""
+        path = pathlib.Path(record_file(records, self.file, self.id))
+        lines = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
+        if not lines or "outcome" not in lines[-1]:
+            return None
+        self.cpu, self.outcome = lines[-1]["cpu"], lines[-1]["outcome"]
+        self.comparisons = [line for line in lines if "what" in line]
+        return lines[0]
 
     def of(self, key):
         return [line for line in self.comparisons if key in line]
@@ -101,20 +103,6 @@ def problems():
                 found += [Problem(path, case, name) for name in names]
         sys.path.remove(str(path.parent))
     return found
-
-
-def read(records, found):
-    """Gives the problems what was recorded of them; returns the heads of the files (file, date, processor)."""
-    heads = []
-    for file in sorted({problem.file for problem in found}):
-        path = records / (file.replace("/", ".") + ".jsonl")
-        if path.exists():
-            head, *lines = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
-            heads.append(head)
-            for problem in found:
-                if problem.file == file:
-                    problem.add(lines)
-    return heads
 
 
 def number(value):
@@ -308,7 +296,7 @@ def main():
     given = arguments.parse_args()
     code = 0 if given.no_run else run(given.tests, given.records.resolve())
     found = problems()
-    heads = read(given.records, found)
+    heads = [head for head in (problem.read(given.records) for problem in found) if head]
     if not heads:
         sys.exit(f"{given.records}: no records there")
     PAGE.write_text(page(found, heads), encoding="utf-8")
