@@ -189,8 +189,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
       typename PlasticPath<T, Model>::template Flow<double> flow;
       model_.flow(x, x + N, start.end_volume, flow);
       double db[N];
-      const double* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
-      model_.space.isotropic(flow.bulk, flow.shear, b, db);
+      this->elastic(flow, x, Model::associated ? flow.yield_gradient : flow.flow_direction, db);
       double modulus = model_.space.work(db, flow.yield_gradient);
       for (int i = 0; i < H; ++i) modulus -= flow.hardening_gradient[i] * flow.hardening_rate[i];
       if (!(modulus > 0.0)) return false;

@@ -10,19 +10,32 @@ namespace mudline {
 template <class T, int H, int N = 6>
 struct PlasticFlow {
   T bulk, shear;            // [Pa] tangential elastic moduli
+  T coupling;               // [1/Pa] see elastic_rate(); unused by models that are not `coupled`
   T yield_gradient[N];      // a = df/dsigma
   T flow_direction[N];      // b = dg/dsigma; unused by associated models
   T hardening_gradient[H];  // df/dh
   T hardening_rate[H];      // B in dh = dlambda B
 };
 
+/// D strain: isotropic elasticity, and with a positive `coupling` c [1/Pa] besides c sigma (sigma : strain). The latter
+/// couples volume and shear where the stiffness follows the mean stress and the stress has a potential.
+template <class Space, class T>
+KOKKOS_INLINE_FUNCTION void elastic_rate(const Space& space, const T& bulk, const T& shear, const T& coupling,
+                                         const T* stress, const T* strain, T* out) {
+  space.isotropic(bulk, shear, strain, out);
+  if (!(value(coupling) > 0.0)) return;
+  const T along = coupling * space.work(stress, strain);
+  for (int i = 0; i < Space::size; ++i) out[i] += along * stress[i];
+}
+
 /// One increment of one material point: the common part of explicit and implicit integration. Models have
-/// rate-independent plasticity with isotropic tangential elasticity:
+/// rate-independent plasticity with isotropic tangential elasticity, or that of elastic_rate():
 ///     dsigma = D (deps - dlambda b),  dh = dlambda B,  f(sigma, h) <= 0
 ///
 /// A Model provides (KOKKOS_INLINE_FUNCTION, tension positive):
 ///     static constexpr int hardening;                       number of hardening variables, at least 1
 ///     static constexpr bool associated;                     b = a
+///     static constexpr bool coupled;                        flow() sets the coupling of the elasticity too
 ///     space                                                 representation of stresses (stress_space.hpp)
 ///     T yield(const T* stress, const T* h) const;           dimensionless, negative inside, of order 1 outside
 ///     void flow(const T* stress, const T* h, const T& volume_strain, PlasticFlow<T, hardening>&) const;
@@ -72,11 +85,19 @@ class PlasticPath {
     return value(model_.yield(stress, h)) <= options_.yield_tolerance || correct_drift(T(0.0));
   }
 
+  /// D strain at a state with its flow.
+  template <class X>
+  KOKKOS_INLINE_FUNCTION void elastic(const Flow<X>& flow, const X* sigma, const X* strain, X* out) const {
+    if constexpr (Model::coupled)
+      elastic_rate(model_.space, flow.bulk, flow.shear, flow.coupling, sigma, strain, out);
+    else
+      model_.space.isotropic(flow.bulk, flow.shear, strain, out);
+  }
+
   /// Computes D b and a.D b - df/dh.B; false where the latter is not positive (softening faster than elastic
   /// unloading).
-  KOKKOS_INLINE_FUNCTION bool plastic_modulus(const Flow<T>& flow, T* db, T& modulus) const {
-    const T* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
-    model_.space.isotropic(flow.bulk, flow.shear, b, db);
+  KOKKOS_INLINE_FUNCTION bool plastic_modulus(const Flow<T>& flow, const T* sigma, T* db, T& modulus) const {
+    elastic(flow, sigma, Model::associated ? flow.yield_gradient : flow.flow_direction, db);
     modulus = model_.space.work(db, flow.yield_gradient);
     for (int i = 0; i < H; ++i) modulus -= flow.hardening_gradient[i] * flow.hardening_rate[i];
     return value(modulus) > 0.0;
@@ -91,7 +112,7 @@ class PlasticPath {
       Flow<T> flow;
       T db[N], modulus, s[N], x[H];
       model_.flow(stress, h, volume_ * time, flow);
-      bool consistent = plastic_modulus(flow, db, modulus);
+      bool consistent = plastic_modulus(flow, stress, db, modulus);
       if (consistent) {
         const T multiplier = f / modulus;
         for (int i = 0; i < N; ++i) s[i] = stress[i] - multiplier * db[i];
@@ -121,7 +142,7 @@ class PlasticPath {
 struct ConstantElasticity {
   double bulk, shear;  // [Pa]
 
-  static constexpr bool trapezoidal = false;
+  static constexpr bool trapezoidal = false, coupled = false;
   SixComponents space = {};  // a member, because nvcc knows no static objects on a device
   template <class T>
   KOKKOS_INLINE_FUNCTION double hardening_measure(int, const T&) const {

@@ -72,7 +72,7 @@ class Substepping : public PlasticPath<T, Model> {
     for (int i = 0; i < N; ++i) s[i] = value(sigma[i]);
     for (int i = 0; i < H; ++i) x[i] = value(h[i]);
     model_.flow(s, x, t * value(volume_), flow);
-    model_.space.isotropic(flow.bulk, flow.shear, plain_strain_, d);
+    this->elastic(flow, s, plain_strain_, d);
     size = ::sqrt(model_.space.norm_squared(flow.yield_gradient) * model_.space.norm_squared(d));
     return model_.space.work(d, flow.yield_gradient);
   }
@@ -259,9 +259,9 @@ class Substepping : public PlasticPath<T, Model> {
     typename PlasticPath<T, Model>::template Flow<T> flow;
     T d[N], db[N], modulus;
     model_.flow(sigma, hardening, volume_ * time, flow);
-    if (!plastic_modulus(flow, db, modulus)) return false;
+    if (!plastic_modulus(flow, sigma, db, modulus)) return false;
     for (int i = 0; i < N; ++i) d_stress[i] = strain_[i] * step;
-    model_.space.isotropic(flow.bulk, flow.shear, d_stress, d);
+    this->elastic(flow, sigma, d_stress, d);
     T multiplier = model_.space.work(d, flow.yield_gradient) / modulus;
     if (value(multiplier) < 0.0) multiplier = T(0.0);
     for (int i = 0; i < N; ++i) d_stress[i] = d[i] - multiplier * db[i];

@@ -13,9 +13,12 @@ void ModifiedCamClay::parameters(Parameters& p) {
   p.required("compression slope", compression, "-", positive(), "lambda, slope of virgin compression in v over ln p'");
   p.required("swelling slope", swelling, "-", positive(), "kappa, slope of elastic unloading in v over ln p'");
   p.add("Poisson's ratio", poisson, "-", half_open(0.0, 0.5),
-        "Constant drained ratio; give either this or the shear modulus");
+        "Constant drained ratio; give this, the shear modulus or the shear modulus ratio");
   p.add("shear modulus", shear_modulus, "Pa", non_negative(),
-        "Constant elastic shear modulus; give either this or Poisson's ratio");
+        "Constant elastic shear modulus; give this, Poisson's ratio or the shear modulus ratio");
+  p.add("shear modulus ratio", shear_ratio, "-", non_negative(),
+        "g = G/p' of elasticity that stores energy: closed elastic paths of strain neither give nor take any; give "
+        "this, Poisson's ratio or the shear modulus");
   p.choice("specific volume", volume, {{"current", Volume::current}, {"initial", Volume::initial}},
            "Which specific volume enters bulk modulus and hardening");
   p.choice("lode dependence", lode, {{"none", Lode::none}, {"sheng", Lode::sheng}},
@@ -44,8 +47,10 @@ void ModifiedCamClay::check(const Section& section) const {
   integration.check(section);
   if (!(swelling < compression))
     section.fail("the swelling slope must be smaller than the compression slope", "swelling slope");
-  if (section.has_parameter("Poisson's ratio") == section.has_parameter("shear modulus"))
-    section.fail("exactly one of 'Poisson's ratio' and 'shear modulus' must be given");
+  if (section.has_parameter("Poisson's ratio") + section.has_parameter("shear modulus") +
+          section.has_parameter("shear modulus ratio") !=
+      1)
+    section.fail("exactly one of 'Poisson's ratio', 'shear modulus' and 'shear modulus ratio' must be given");
   for (const char* volume : {"normal compression volume", "critical state volume"})
     if (section.has_parameter(volume) && !((volume[0] == 'n' ? normal_volume : critical_volume) > 1.0))
       section.fail("a specific volume is greater than 1", volume);
@@ -63,6 +68,18 @@ void ModifiedCamClay::check(const Section& section) const {
     section.fail("plays no role without 'spacing ratio'; remove it", "stress state coefficient");
   if (section.has_parameter("shear modulus") && !(shear_modulus > 0.0))
     section.fail("the shear modulus must be positive", "shear modulus");
+  if (section.has_parameter("shear modulus ratio") && !(shear_ratio > 0.0))
+    section.fail("the ratio must be positive", "shear modulus ratio");
+  if (shear_ratio > 0.0 && section.has_section("small-strain stiffness"))
+    section.fail(
+        "contradictory with a 'shear modulus ratio', whose energy its strings would not keep; remove one of "
+        "them, or give the 'shear modulus'",
+        "small-strain stiffness");
+  if (shear_ratio > 0.0 && critical_volume > 0.0)
+    section.fail(
+        "with a 'shear modulus ratio' shear dilates elastically, so that the critical state line is no fixed "
+        "distance away; give 'normal compression volume'",
+        "critical state volume");
   if (lode == Lode::sheng && ratio > 2.0)
     section.fail("the yield surface of 'lode dependence' = sheng is convex only for a critical stress ratio up to 2",
                  "critical stress ratio");
@@ -100,12 +117,12 @@ std::string ModifiedCamClay::start(const InitialPoint& point, double on_surface,
   std::ostringstream reason;
   state[preconsolidation] = point.overconsolidation_ratio * on_surface;
   if (normal > 0.0) {
-    const double v = 1.0 + point.void_ratio;
+    const double dilation = dilated(point.stress.data()), v = (1.0 + point.void_ratio) / dilation;
     const double exponent = (normal - v - swelling * std::log(p / reference_pressure)) / (compression - swelling);
     const double line = reference_pressure * std::exp(exponent);
     if (!(line >= on_surface * (1.0 - 1e-9))) {
       reason << "a void ratio of " << point.void_ratio << " at this stress is looser than the normal compression line, "
-             << "which gives " << point.void_ratio + (compression - swelling) * std::log(line / on_surface);
+             << "which gives " << point.void_ratio + dilation * (compression - swelling) * std::log(line / on_surface);
       return reason.str();
     }
     if (point.overconsolidation_ratio != 1.0 && std::abs(line / state[preconsolidation] - 1.0) > 1e-6)
@@ -117,6 +134,13 @@ std::string ModifiedCamClay::start(const InitialPoint& point, double on_surface,
   state[plastic_shear_strain] = 0.0;
   state[initial_specific_volume] = 1.0 + point.void_ratio;
   return "";
+}
+
+double ModifiedCamClay::dilated(const double* stress) const {
+  if (!(shear_ratio > 0.0)) return 1.0;
+  double s[6];
+  const double p = sym6::deviator(stress, s), h = dilation(sym6::norm_squared(s), p);
+  return volume == Volume::current ? std::exp(h) : 1.0 / (1.0 - h);
 }
 
 double ModifiedCamClay::normal_line() const {
@@ -144,13 +168,17 @@ double ModifiedCamClay::void_ratio(const InitialPoint& point) const {
 double ModifiedCamClay::void_ratio(const InitialPoint& point, double on_surface) const {
   if (!(normal_line() > 0.0)) return Skeleton::no_void_ratio;
   const double p = sym6::mean_pressure(point.stress.data()), pc = point.overconsolidation_ratio * on_surface;
-  return normal_line() - compression * std::log(pc / reference_pressure) + swelling * std::log(pc / p) - 1.0;
+  const double at_rest = normal_line() - compression * std::log(pc / reference_pressure) + swelling * std::log(pc / p);
+  return dilated(point.stress.data()) * at_rest - 1.0;
 }
 
 double ModifiedCamClay::k0(double overconsolidation_ratio) const {
-  const double elastic = shear_modulus > 0.0 ? 0.0 : swelling / (3.0 * shear_to_bulk());
+  const double elastic = shear_modulus > 0.0 || shear_ratio > 0.0 ? 0.0 : swelling / (3.0 * shear_to_bulk());
   const auto excess = [&](double eta) {
-    return 2.0 * eta * (compression - swelling) / (ratio * ratio - eta * eta) + eta * elastic - 2.0 / 3.0 * compression;
+    const double plastic = 2.0 * eta * (compression - swelling) / (ratio * ratio - eta * eta);
+    if (shear_ratio > 0.0 && volume == Volume::current)  // of the swelling line of v exp(-h)
+      return plastic - 2.0 / 3.0 * (compression + swelling * std::expm1(dilation(2.0 / 3.0 * eta * eta, 1.0)));
+    return plastic + eta * elastic - 2.0 / 3.0 * compression;
   };
   double low = 0.0, high = ratio;  // the excess increases from negative to infinite
   for (int i = 0; i < 200; ++i) {
@@ -162,13 +190,18 @@ double ModifiedCamClay::k0(double overconsolidation_ratio) const {
   return (3.0 - eta) / (3.0 + 2.0 * eta) * std::pow(overconsolidation_ratio, sine);
 }
 
-SoilState ModifiedCamClay::soil_state(const double* stress, double, const double* state) const {
+SoilState ModifiedCamClay::soil_state(const double* stress, double void_ratio, const double* state) const {
   double s[6];
   const double p = std::max(sym6::deviator(stress, s), minimum_mean_stress), pc = state[preconsolidation];
   const double q2 = 1.5 * sym6::norm_squared(s),
                through_stress = spacing > 0.0 ? through(stress) : p + q2 / (ratio * ratio * p);
   const double to_critical = pc / (critical_spacing() * p);
-  return {0.5 * ratio * p * std::pow(to_critical, (compression - swelling) / compression), pc / through_stress};
+  double strength = 0.5 * ratio * p * std::pow(to_critical, (compression - swelling) / compression);
+  if (shear_ratio > 0.0) {
+    const double more = dilation(2.0 / 3.0 * ratio * ratio, 1.0) - dilation(2.0 / 3.0 * q2, p);
+    strength *= std::exp(specific_volume(void_ratio, state) * more / compression);
+  }
+  return {strength, pc / through_stress};
 }
 
 EarthPressures ModifiedCamClay::earth_pressures(double vertical, double) const {

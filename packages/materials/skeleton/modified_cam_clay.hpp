@@ -10,6 +10,10 @@ namespace mudline {
 ///     yield         f = q^2/M(S)^2 + p'(p' - pc) = 0, associated
 ///     hardening     dpc = pc v/(lambda - kappa) deps_v^p
 ///     elasticity    K = v p'/kappa, G = 3 K (1-2nu)/(2(1+nu)) or constant; integrated exactly on an elastic path
+///     with energy   by option the elastic stress has a potential psi(w) with w = eps_v + g e:e, e the deviator of the
+///                   elastic strain: p' = psi'(w) is the swelling line with w in place of eps_v, and s = 2 g p' e, G =
+///                   g p'. With a constant v this is Houlsby, Amorosi & Rojas 2005, Geotechnique 55:383, with n = 1.
+///                   Since g e:e = h = q^2/(6 g p'^2), shear at constant p' dilates by h
 ///     volume        dv = -v deps_v: the volumetric strain is logarithmic (or, by option, v keeps its initial value)
 ///     Lode measure  M(S) = M [2 a^4/(1 + a^4 + (1 - a^4) S)]^(1/4), by option,
 ///                   a = (3 - sin phi)/(3 + sin phi), sin phi = 3M/(6+M); S = -1 in triaxial compression
@@ -30,8 +34,9 @@ struct ModifiedCamClay {
   double ratio = 1.0;                  // [-] M in triaxial compression
   double compression = 0.2;            // [-] lambda
   double swelling = 0.02;              // [-] kappa
-  double poisson = 0.0;                // [-] used unless shear_modulus is positive
+  double poisson = 0.0;                // [-] used unless shear_modulus or shear_ratio is positive
   double shear_modulus = 0.0;          // [Pa]
+  double shear_ratio = 0.0;            // [-] g = G/p' of the elasticity with energy, which it switches on
   double minimum_mean_stress = 100.0;  // [Pa]
   double normal_volume = 0.0;          // [-] N; used if positive
   double critical_volume = 0.0;        // [-] Gamma, instead of N
@@ -63,11 +68,13 @@ struct ModifiedCamClay {
   double void_ratio(const InitialPoint& point, double on_surface) const;
   /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the limit of the stress ratio
   /// in one-dimensional virgin compression: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g =
-  /// G/K, K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. The flow
-  /// decides, so it is the same for both surfaces. Here R is the ratio of vertical stresses.
+  /// G/K, K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant, and is none
+  /// where s/p' decides it (`shear_ratio`). The flow decides, so it is the same for both surfaces. Here R is the ratio
+  /// of vertical stresses.
   double k0(double overconsolidation_ratio) const;
   /// Undrained strength in triaxial compression from the present stress, that of the critical state: s_u = M/2 p'
-  /// (pc/(r p'))^((lambda - kappa)/lambda), r = 2 for the ellipse (Wood 1990, ch. 7).
+  /// (pc/(r p'))^((lambda - kappa)/lambda), r = 2 for the ellipse (Wood 1990, ch. 7). With a `shear_ratio` times
+  /// exp(v (h_cs - h)/lambda), to the first power of h.
   SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
   /// Earth pressures at the critical state.
   EarthPressures earth_pressures(double vertical, double) const;
@@ -80,10 +87,21 @@ struct ModifiedCamClay {
     const double sine = 3.0 * ratio / (6.0 + ratio), a = (3.0 - sine) / (3.0 + sine);
     return a * a * a * a;
   }
+  /// h = s:s/(4 g p'^2) of the elasticity with energy: strain by which shear dilates at constant p'.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T dilation(const T& square, const T& p) const {
+    return square / (4.0 * shear_ratio * p * p);
+  }
   KOKKOS_INLINE_FUNCTION double shear_to_bulk() const { return 1.5 * (1.0 - 2.0 * poisson) / (1.0 + poisson); }
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const {
     const double p = ::fmax(sym6::mean_pressure(stress), minimum_mean_stress);
-    const double bulk = specific_volume(void_ratio, state) * p / swelling;
+    double bulk = specific_volume(void_ratio, state) * p / swelling;
+    if (shear_ratio > 0.0) {
+      double s[6];
+      sym6::deviator(stress, s);
+      if (volume == Volume::current) bulk *= ::exp(-dilation(sym6::norm_squared(s), p));
+      return {bulk, shear_ratio * p};
+    }
     return {bulk, shear_modulus > 0.0 ? shear_modulus : shear_to_bulk() * bulk};
   }
   KOKKOS_INLINE_FUNCTION bool operator()(const SkeletonPoint& in, const double* state_old, double* state,
@@ -103,6 +121,8 @@ struct ModifiedCamClay {
   KOKKOS_INLINE_FUNCTION bool update_two_deviators(const double* start, const double* h, double specific_volume,
                                                    const double* strain, double* state, SkeletonResponse& out) const;
   KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
+  /// Specific volume over that at rest, at the same p' and no shear stress: 1 without a `shear_ratio`.
+  double dilated(const double* stress) const;
   /// N, given or from Gamma; 0 if neither is given.
   double normal_line() const;
   /// pc/p' at the critical state.
@@ -115,7 +135,7 @@ struct ModifiedCamClay {
 template <class Space>
 struct ModifiedCamClayModel {
   static constexpr int hardening = 2, N = Space::size;
-  static constexpr bool associated = true, trapezoidal = true, has_third_invariant = N == 6;
+  static constexpr bool associated = true, trapezoidal = true, coupled = true, has_third_invariant = N == 6;
 
   const ModifiedCamClay& law;
   Space space;
@@ -173,8 +193,7 @@ struct ModifiedCamClayModel {
     T s[N];
     const T p = space.deviator(stress, s);
     const T v = specific_volume(volume_strain);
-    out.bulk = v * p * (1.0 / law.swelling);
-    out.shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * out.bulk;
+    elastic_moduli(s, p, v, out.bulk, out.shear, out.coupling);
     const T q2 = 1.5 * space.norm_squared(s), mean = scale * (2.0 * p - h[0]);  // df/dp'
     const double along = 3.0 * inverse_m2 * scale;
     out.hardening_rate[1] =
@@ -216,10 +235,47 @@ struct ModifiedCamClayModel {
     return law.volume == ModifiedCamClay::Volume::current ? volume0 * exponential(volume_strain) : T(volume0);
   }
 
+  /// The tangential elasticity at the deviator s and p', for elastic_rate().
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void elastic_moduli(const T* s, const T& p, const T& v, T& bulk, T& shear, T& coupling) const {
+    if (law.shear_ratio > 0.0) {
+      bulk = T(0.0);  // the coupling contains K = v p'/kappa exp(-h)
+      shear = law.shear_ratio * p;
+      coupling = v / (law.swelling * p);
+      if (law.volume == ModifiedCamClay::Volume::current)
+        coupling *= exponential(-1.0 * law.dilation(space.norm_squared(s), p));
+      return;
+    }
+    bulk = v * p * (1.0 / law.swelling);
+    shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * bulk;
+    coupling = T(0.0);
+  }
+
+  /// Stress after an elastic strain with the stored energy psi(w): sigma = exp(x) (sigma_0 + 2 g p'_0 de), where x =
+  /// ln(p'/p'_0) is exact: v dw/kappa with a constant v. Else the swelling line holds for v exp(-h), which changes by
+  /// exp(-dw); `v` is that in the middle of the strain.
+  template <class S, class T>
+  KOKKOS_INLINE_FUNCTION void store(const S* stress, const T* strain, const T& v, T* out) const {
+    T from[N], s[N], change[N];
+    for (int i = 0; i < N; ++i) from[i] = number_as<T>(stress[i]);
+    const T p = space.deviator(from, s);
+    space.isotropic(T(0.0), T(law.shear_ratio * p), strain, change);
+    const T dilating = space.work(s, strain) / p + law.dilation(space.norm_squared(change), p);  // change of h
+    const T dw = dilating - space.trace(strain);
+    T per_strain = v / law.swelling;  // x / dw
+    if (law.volume == ModifiedCamClay::Volume::current) {
+      const T middle = law.dilation(space.norm_squared(s), p) + 0.5 * dilating;
+      per_strain *= exponential(0.5 * dw - middle) * exponential_quotient(-1.0 * dw);
+    }
+    const T growth = exponential(per_strain * dw);
+    for (int i = 0; i < N; ++i) out[i] = growth * (from[i] + change[i]);
+  }
+
   /// p' = p'_0 exp((v_0 - v)/kappa), so the mean modulus is K = p'_0 (exp(x) - 1)/eps_v with x = (v_0 - v)/kappa; with
   /// constant nu the shear modulus follows K along the path, so its mean does too.
   template <class T>
   KOKKOS_INLINE_FUNCTION void elastic(const T* stress, const T* strain, T* out) const {
+    if (law.shear_ratio > 0.0) return store(stress, strain, specific_volume(T(0.5 * space.trace(strain))), out);
     const T compression = -space.trace(strain), p = space.mean_pressure(stress);
     T per_strain(volume0 / law.swelling);  // x / eps_v
     if (law.volume == ModifiedCamClay::Volume::current) per_strain *= exponential_quotient(-compression);
@@ -232,6 +288,7 @@ struct ModifiedCamClayModel {
   /// Elastic step with the specific volume that belongs to `volume_strain`.
   template <class S, class T>
   KOKKOS_INLINE_FUNCTION void elastic_step(const S* stress, const T* strain, const T& volume_strain, T* out) const {
+    if (law.shear_ratio > 0.0) return store(stress, strain, specific_volume(volume_strain), out);
     const T per_strain = specific_volume(volume_strain) / law.swelling, compression = -space.trace(strain);
     const T bulk = space.mean_pressure(stress) * per_strain * exponential_quotient(per_strain * compression);
     const T shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * bulk;

@@ -176,7 +176,7 @@ struct SClay1sModel : ModifiedCamClayModel<SixComponents> {
     InclinedEllipse<T> at;
     evaluate(stress, h + alpha, at);
     const T v = specific_volume(volume_strain);
-    elastic_moduli(at.p, v, out.bulk, out.shear);
+    elastic_moduli(at.s, at.p, v, out.bulk, out.shear, out.coupling);
     at.gradient(T(scale), (1.0 + h[chi]) * h[0], out.yield_gradient);
     out.hardening_gradient[0] = -scale * at.p * (1.0 + h[chi]);
     out.hardening_gradient[1] = T(0.0);
@@ -185,12 +185,6 @@ struct SClay1sModel : ModifiedCamClayModel<SixComponents> {
       out.hardening_gradient[alpha + i] =
           scale * ((i < 3 ? 1.0 : 2.0) * at.per_fabric * h[alpha + i] - at.p * at.along[i]);
     harden(at, h, out.yield_gradient, v, out.hardening_rate);
-  }
-
-  template <class T>
-  KOKKOS_INLINE_FUNCTION void elastic_moduli(const T& p, const T& v, T& bulk, T& shear) const {
-    bulk = v * p * (1.0 / law.swelling);
-    shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * bulk;
   }
 
   /// Rates of the hardening variables for a rate g of the plastic strain.
@@ -259,7 +253,7 @@ class IsotachePath {
     T flow[6], elastic[6];
     for (int i = 0; i < 6; ++i) flow[i] = at.multiplier * at.direction[i];
     for (int i = 0; i < 6; ++i) elastic[i] = strain_[i] - flow[i];
-    sym6::isotropic(at.bulk, at.shear, elastic, dy);
+    elastic_rate(model_.space, at.bulk, at.shear, at.coupling, y, elastic, dy);
     model_.harden(at.ellipse, y + 6, flow, at.v, dy + 6);
     limit_fall(at.ellipse.p, model_.law.minimum_mean_stress, dy);
     return true;
@@ -286,6 +280,7 @@ class IsotachePath {
     X v, size, multiplier;  // [-], F [Pa], of `direction`
     X direction[6];         // dF/dsigma
     X bulk, shear;          // [Pa]
+    X coupling;             // [1/Pa]
     KOKKOS_INLINE_FUNCTION Creep(const SClay1sModel& model, double duration, const X& s, const X& volume, const X* y) {
       const X* h = y + 6;
       model.evaluate(y, h + SClay1s::alpha, ellipse);
@@ -294,14 +289,14 @@ class IsotachePath {
       const X excess = power(size / ((1.0 + h[SClay1s::chi]) * h[0]), model.clay.creep_exponent());
       multiplier = excess * (duration * model.clay.creep_rate()) / v;
       ellipse.gradient(1.0 / ellipse.p, size, direction);
-      model.elastic_moduli(ellipse.p, v, bulk, shear);
+      model.elastic_moduli(ellipse.s, ellipse.p, v, bulk, shear, coupling);
     }
   };
   template <class X>
   KOKKOS_INLINE_FUNCTION X relaxation(const X& s, const X& volume, const X* y) const {
     const Creep<X> at(model_, duration_, s, volume, y);
     X stress[6];
-    sym6::isotropic(at.bulk, at.shear, at.direction, stress);
+    elastic_rate(model_.space, at.bulk, at.shear, at.coupling, y, at.direction, stress);
     return at.multiplier * model_.clay.creep_exponent() * sym6::work(stress, at.direction) / at.size;
   }
   KOKKOS_INLINE_FUNCTION double tolerance() const { return model_.law.integration.stress_tolerance; }

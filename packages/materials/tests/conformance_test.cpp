@@ -116,7 +116,12 @@ std::vector<Teuchos::ParameterList> s_clay1s_variants(Teuchos::ParameterList bas
   for (auto* list : {&all, &plastic, &implicit}) list->set("lode dependence", "sheng");
   plastic.set("stress tolerance", 1e-6);
   implicit.set("integration", "implicit");
-  return {fabric, creep, plastic, implicit, all};
+  Teuchos::ParameterList energy(implicit), creep_energy(creep);
+  for (auto* list : {&energy, &creep_energy}) {
+    list->remove("Poisson's ratio");
+    list->set("shear modulus ratio", 50.0);
+  }
+  return {fabric, creep, plastic, implicit, all, energy, creep_energy};
 }
 
 /// Deck entries of the variants under which a type is tested.
@@ -140,9 +145,14 @@ std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   casm_sheng.set("spacing ratio", 2.7).set("stress state coefficient", 3.0);
   for (auto* list : {&casm_constant, &casm_implicit}) list->set("spacing ratio", 2.7);
   fifth_order.set("integration", "runge-kutta-dormand-prince");
+  Teuchos::ParameterList energy(clay), energy_implicit(clay), energy_casm(clay);
+  for (auto* list : {&energy, &energy_implicit, &energy_casm}) list->set("shear modulus ratio", 40.0);
+  energy_implicit.set("lode dependence", "sheng").set("integration", "implicit");
+  energy_casm.set("specific volume", "initial").set("spacing ratio", 2.7);
   return {{"linear elastic", {elastic}},
           {"modified cam clay",
-           {plain, sheng, constant_shear, implicit, fifth_order, casm, casm_sheng, casm_constant, casm_implicit}},
+           {plain, sheng, constant_shear, implicit, fifth_order, casm, casm_sheng, casm_constant, casm_implicit, energy,
+            energy_implicit, energy_casm}},
           {"neo-hookean", {elastic}},
           {"mohr-coulomb", mohr_coulomb_variants(elastic)},
           {"drucker-prager", cone_variants(elastic)},
