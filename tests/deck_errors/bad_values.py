@@ -114,6 +114,12 @@ DECKS = [
                  LAW + "small-strain stiffness/reference strain: 0 is out of range; allowed: (0, 0.1)", at='name="reference strain"'),
     with_strings("strings of a law without", [RATIO, STRAIN], LAW + "small-strain stiffness: unknown section; none is allowed here", at=STRINGS,
                  law=[("type", "string", "neo-hookean"), *ELASTIC[1:]]),
+    with_strings("strings with energy", [RATIO, STRAIN],
+                 LAW + "small-strain stiffness: contradictory with a 'shear modulus ratio', whose energy its strings "
+                 "would not keep; remove one of them, or give the 'shear modulus'",
+                 at=STRINGS, law=[("type", "string", "modified cam clay"), ("critical stress ratio", "double", "1"),
+                                  ("compression slope", "double", "0.2"), ("swelling slope", "double", "0.04"),
+                                  ("shear modulus ratio", "double", "30")]),
     with_strings("strings with creep", [RATIO, STRAIN],
                  LAW + "small-strain stiffness: contradictory with a 'creep slope', whose strain it would make smaller; remove one of them",
                  at=STRINGS, law=[("type", "string", "s-clay1s"), ("critical stress ratio", "double", "1"), ("compression slope", "double", "0.2"),
@@ -348,7 +354,17 @@ DECKS = [
           "materials/clay/porosity: contradictory: give 'void ratio' or 'porosity', not both"),
     Wrong("two elastic constants", (parameter("Poisson's ratio", "double", "0.3"), parameter("Poisson's ratio", "double", "0.3") +
                                     parameter("shear modulus", "double", "1e6")),
-          "materials/clay/skeleton: exactly one of 'Poisson's ratio' and 'shear modulus' must be given", at=section("skeleton")),
+          "materials/clay/skeleton: exactly one of 'Poisson's ratio', 'shear modulus' and 'shear modulus ratio' must be "
+          "given",
+          at=section("skeleton")),
+    Wrong("shear modulus ratio of nothing",
+          (parameter("Poisson's ratio", "double", "0.3"), parameter("shear modulus ratio", "double", "0")),
+          "materials/clay/skeleton/shear modulus ratio: the ratio must be positive", at='name="shear modulus ratio"'),
+    Wrong("energy and a critical state line",
+          (parameter("Poisson's ratio", "double", "0.3"),
+           parameter("shear modulus ratio", "double", "30") + parameter("critical state volume", "double", "2.5")),
+          "materials/clay/skeleton/critical state volume: with a 'shear modulus ratio' shear dilates elastically, so "
+          "that the critical state line is no fixed distance away; give 'normal compression volume'"),
     Wrong("swelling above compression", ('value="0.04"', 'value="0.4"'),
           "materials/clay/skeleton/swelling slope: the swelling slope must be smaller than the compression slope"),
     Wrong("clay without stress", (parameter("type", "string", "geostatic"), parameter("type", "string", "stress free")),
