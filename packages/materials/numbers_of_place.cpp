@@ -7,14 +7,16 @@
 
 namespace mudline {
 
-void NumbersOfPlace::settle(const void* law, std::size_t bytes, std::vector<StateVariable>& variables) {
+void NumbersOfPlace::settle(const void* law, std::size_t bytes, std::vector<StateVariable>& variables,
+                            const std::string& prefix) {
   if (empty()) return;
   const char *begin = static_cast<const char*>(law), *end = begin + bytes;
   const Kokkos::View<std::size_t*> offsets("numbers of place", numbers_.size());
   members_.first = 0;
   for (const StateVariable& variable : variables) members_.first += variable.components;
   for (int k = 0; k < size(); ++k) {
-    const NumberOfPlace& number = numbers_[k];
+    NumberOfPlace& number = numbers_[k];
+    number.name = prefix + number.name;
     const char* member = reinterpret_cast<const char*>(number.number);
     if (std::less<>()(member, begin) || !std::less<>()(member, end))
       throw std::logic_error("the parameter '" + number.name + "' is no member of its law");

@@ -20,8 +20,9 @@ class NumbersOfPlace {
   bool empty() const { return numbers_.empty(); }
   int size() const { return static_cast<int>(numbers_.size()); }
   /// Call it when all are collected. `law`: the object of `bytes` whose members they are; `variables`: the law's own
-  /// state variables, to which those of the numbers are added.
-  void settle(const void* law, std::size_t bytes, std::vector<StateVariable>& variables);
+  /// state variables, to which those of the numbers are added. `prefix` goes before their names.
+  void settle(const void* law, std::size_t bytes, std::vector<StateVariable>& variables,
+              const std::string& prefix = "");
   /// Keeps the law's section, for checks across numbers at each place.
   void keep(const Section& section) { section_ = section; }
   const Section& section() const { return *section_; }

@@ -50,7 +50,7 @@ struct SkeletonResponse {
 /// If the operator returns false, the point has failed; the step is then cut.
 /// Each number (double) among the parameters may be a function of the place in the deck. Then every member is called
 /// with the numbers of its point, after check() and prepare() with them; the law knows nothing of it. Nor does it of
-/// small-strain stiffness, which stands between it and its strain.
+/// small-strain stiffness, which stands between it and its strain, and whose numbers may be functions too.
 // clang-format on
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -65,10 +65,13 @@ class PointwiseSkeleton : public Skeleton {
     p.let_vary(nullptr);
     numbers_.settle(&law_, sizeof law_, variables_);
     if constexpr (detail_has_small_strain<Law>::value)
-      if (p.documenting() || p.deck().has_section("small-strain stiffness"))
-        p.section("small-strain stiffness", small_strain_,
+      if (p.documenting() || p.deck().has_section("small-strain stiffness")) {
+        Varying strings{small_strain_, small_numbers_};
+        p.section("small-strain stiffness", strings,
                   "shear stiffness at small strain, above that of the law, and its hysteresis");
+      }
     if (!small_strain_.acts()) return;
+    small_numbers_.settle(&small_strain_, sizeof small_strain_, variables_, "small-strain ");
     strings_ = state_size();
     for (const StateVariable& variable : small_strain_.state()) variables_.push_back(variable);
   }
@@ -79,11 +82,16 @@ class PointwiseSkeleton : public Skeleton {
   }
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
   std::string number_out_of_range(const Point& place) const override {
-    std::vector<double> values(numbers_.size());
-    return numbers_.at(place, values.data());
+    std::vector<double> values(numbers_.size() + small_numbers_.size());
+    const std::string reason = numbers_.at(place, values.data());
+    return reason.empty() ? small_numbers_.at(place, values.data()) : reason;
   }
   std::string initialise(const InitialPoint& point, double* state) const override {
-    if (small_strain_.acts()) std::fill_n(state + strings_, small_strain_.state_size(), 0.0);
+    if (small_strain_.acts()) {
+      const std::string reason = small_numbers_.at(point.position, state + small_numbers_.members().first);
+      if (!reason.empty()) return reason;
+      small_strain_of(state).start(state + strings_);
+    }
     if (numbers_.empty()) return law_.initialise(point, state);
     double* values = state + numbers_.members().first;
     if (const std::string reason = numbers_.at(point.position, values); !reason.empty()) return reason;
@@ -97,7 +105,7 @@ class PointwiseSkeleton : public Skeleton {
   }
   ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const override {
     ElasticModuli found = law_of(state).moduli(stress, void_ratio, state);
-    found.shear *= small_strain_.ratio();
+    if (small_strain_.acts()) found.shear *= small_strain_of(state).ratio();
     return found;
   }
   bool volume_apart() const override {
@@ -141,6 +149,7 @@ class PointwiseSkeleton : public Skeleton {
     const double factor = w.strength_factor;
     const Law law = numbers.none() && factor != 1.0 ? with_strength_over(factor, law_) : law_;
     const SmallStrainStiffness small_strain = small_strain_;
+    const NumbersOfPlace::Members small_numbers = small_numbers_.members();
     const int strings = strings_;
     int failures = 0;
     CaughtInKernel thrown, *caught = &thrown;
@@ -160,9 +169,16 @@ class PointwiseSkeleton : public Skeleton {
           double* state = w.state.data() + i * w.state.extent(1);
           numbers.keep(state_old, state);
           double by_strain[36];  // derivative of the law's strain
-          if (small_strain.acts())
-            small_strain.amplify(&w.strain(i, 0), state_old + strings, state + strings, in.strain,
-                                 w.want_tangent ? by_strain : nullptr);
+          if (small_strain.acts()) {
+            double* const derivative = w.want_tangent ? by_strain : nullptr;
+            const double *strain = &w.strain(i, 0), *old = state_old + strings;
+            small_numbers.keep(state_old, state);
+            if (small_numbers.none())
+              small_strain.amplify(strain, old, state + strings, in.strain, derivative);
+            else
+              with_numbers(small_strain, small_numbers, state_old)
+                  .amplify(strain, old, state + strings, in.strain, derivative);
+          }
           const bool ok = CaughtInKernel::run(caught, [&] {
             return numbers.none() ? law(in, state_old, state, out)
                                   : with_numbers(law, numbers, state_old, factor)(in, state_old, state, out);
@@ -186,11 +202,22 @@ class PointwiseSkeleton : public Skeleton {
   const Law& law() const { return law_; }
 
  private:
+  /// Lets the numbers of a section be functions of the place.
+  struct Varying {
+    SmallStrainStiffness& stiffness;
+    NumbersOfPlace& numbers;
+    void parameters(Parameters& p) {
+      p.let_vary(&numbers.collected());
+      stiffness.parameters(p);
+      p.let_vary(nullptr);
+    }
+  };
   static void check(Law& law, const Section& section) {
     if constexpr (detail_has_check<Law>::value) law.check(section);
   }
-  static void prepare(Law& law) {
-    if constexpr (detail_has_prepare<Law>::value) law.prepare();
+  template <class Any>
+  static void prepare(Any& law) {
+    if constexpr (detail_has_prepare<Any>::value) law.prepare();
   }
   /// Turns the derivative by the law's strain into that by the strain.
   static KOKKOS_INLINE_FUNCTION void chain_rule(const double* by_strain, bool plane, double* tangent) {
@@ -209,21 +236,27 @@ class PointwiseSkeleton : public Skeleton {
     prepare(law);
     return law;
   }
-  /// The law with the numbers of a point, which stand in its state, and with its strengths divided by a factor.
-  static KOKKOS_INLINE_FUNCTION Law with_numbers(const Law& law, const NumbersOfPlace::Members& numbers,
+  /// The law, or small-strain stiffness, with the numbers of a point, which stand in its state, and with its strengths
+  /// divided by a factor.
+  template <class Any>
+  static KOKKOS_INLINE_FUNCTION Any with_numbers(const Any& law, const NumbersOfPlace::Members& numbers,
                                                  const double* state, double factor = 1.0) {
-    Law own = law;
+    Any own = law;
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
     Kokkos::abort("numbers of a law that are functions of the place are for the host only");
 #else
     numbers.give(own, state);
-    if (factor != 1.0) return with_strength_over(factor, own);
+    if constexpr (std::is_same_v<Any, Law>)
+      if (factor != 1.0) return with_strength_over(factor, own);
     prepare(own);
 #endif
     return own;
   }
   Law law_of(const double* state) const {
     return numbers_.empty() ? law_ : with_numbers(law_, numbers_.members(), state);
+  }
+  SmallStrainStiffness small_strain_of(const double* state) const {
+    return small_numbers_.empty() ? small_strain_ : with_numbers(small_strain_, small_numbers_.members(), state);
   }
   /// The law of a point that has no state yet. See number_out_of_range().
   Law law_at(const InitialPoint& point) const {
@@ -283,6 +316,7 @@ class PointwiseSkeleton : public Skeleton {
   std::vector<StateVariable> variables_;
   NumbersOfPlace numbers_;
   SmallStrainStiffness small_strain_;
+  NumbersOfPlace small_numbers_;
   int strings_ = 0;  // column of its state
 };
 

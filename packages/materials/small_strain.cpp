@@ -1,5 +1,6 @@
 #include "materials/small_strain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -14,7 +15,8 @@ void SmallStrainStiffness::parameters(Parameters& p) {
         "a in G/G_0 = 1/(1 + 0.385 (gamma/gamma_0.7)^a): 1 Hardin and Drnevich, 0.919 Darendeli");
   p.add("bricks", bricks_, "-", closed(4, most),
         "how finely the curve is followed; each adds six numbers to the state of a point");
-  if (!p.documenting()) prepare();
+  acts_ = !p.documenting();
+  if (acts_ && !p.varies("ratio") && !p.varies("reference strain") && !p.varies("curvature")) prepare();
 }
 
 /// The corners are those of a polygon whose secant modulus is within 1 +- d of the curve. With x = 0.385
@@ -27,8 +29,10 @@ void SmallStrainStiffness::prepare() {
   const double whole = std::atan(std::sqrt(last));
   double error = 0.0, step = 0.0;
   for (int n = 0; n < 50; ++n) {
+    const double before = error;
     step = (whole - std::atan(std::sqrt(error))) / (bricks_ - 1);
     error = 0.5 * step * step;
+    if (error == before) break;
   }
   double x[most], height[most], slope = ratio_;
   for (int i = 0; i < bricks_; ++i) {
@@ -50,7 +54,13 @@ std::vector<StateVariable> SmallStrainStiffness::state() const {
     all.push_back({"small-strain string " + std::to_string(i), 6, "-"});
     all.back().hidden = true;
   }
+  all.push_back({"shear stiffness ratio", 1, "-", Transfer::value, 1.0, 100.0});
   return all;
+}
+
+void SmallStrainStiffness::start(double* state) const {
+  std::fill_n(state, 6 * bricks_, 0.0);
+  state[6 * bricks_] = ratio_;
 }
 
 }  // namespace mudline

@@ -25,19 +25,23 @@ namespace mudline {
 class SmallStrainStiffness {
  public:
   void parameters(Parameters& p);
+  /// Sets lengths and weights from the numbers; parameters() has called it unless a number is a function of the place.
+  void prepare();
   /// Whether the law has a section of this kind; otherwise the rest is not to be called.
-  KOKKOS_INLINE_FUNCTION bool acts() const { return ratio_ > 1.0; }
+  KOKKOS_INLINE_FUNCTION bool acts() const { return acts_; }
   /// G_0/G_ur [-].
   double ratio() const { return ratio_; }
-  /// The strings; zero at the start.
+  /// The strings, then the present shear stiffness over G_ur.
   std::vector<StateVariable> state() const;
-  int state_size() const { return 6 * bricks_; }
+  int state_size() const { return 6 * bricks_ + 1; }
+  /// Writes the state of soil that has rested.
+  void start(double* state) const;
 
   /// Strain increment (6) that the law gets for `strain` (6), engineering shear; fills `now` from `old` (state_size()),
   /// and unless it is null `derivative` (36): d law_strain_i / d strain_j, row-major.
   KOKKOS_INLINE_FUNCTION void amplify(const double* strain, const double* old, double* now, double* law_strain,
                                       double* derivative) const {
-    double e[6], more[6] = {}, slack = 0.0;
+    double e[6], more[6] = {}, slack = 0.0, present = 1.0;
     const double mean = sym6::trace(strain) / 3.0;
     for (int c = 0; c < 6; ++c) e[c] = c < 3 ? strain[c] - mean : 0.5 * strain[c];
     if (derivative)
@@ -55,7 +59,9 @@ class SmallStrainStiffness {
         now[c] *= factor;
         more[c] += weight_[i] * (now[c] - before * old[c]);
       }
+      if (!taut(now, length_[i])) present += weight_[i];
     }
+    *now = present;
     for (int c = 0; c < 6; ++c) law_strain[c] = strain[c] + (c < 3 ? 1.0 : 2.0) * more[c];
     if (!derivative) return;
     for (int c = 0; c < 6; ++c) derivative[7 * c] += slack;
@@ -65,12 +71,14 @@ class SmallStrainStiffness {
 
  private:
   static constexpr int most = 40;
-  /// Sets lengths and weights. See small_strain.cpp.
-  void prepare();
   /// Factor that brings a string to its length, 1 where it is slack.
   KOKKOS_INLINE_FUNCTION static double shortened(const double* b, double length) {
     const double squared = 2.0 * sym6::norm_squared(b);
     return squared > length * length ? length / ::sqrt(squared) : 1.0;
+  }
+  /// Whether a string is at its length, but for rounding.
+  KOKKOS_INLINE_FUNCTION static bool taut(const double* b, double length) {
+    return 2.0 * sym6::norm_squared(b) > (1.0 - 1e-9) * length * length;
   }
   /// Takes the part along a taut string out of the derivative.
   KOKKOS_INLINE_FUNCTION static void remove_along(const double* b, double weight, double* derivative) {
@@ -79,6 +87,7 @@ class SmallStrainStiffness {
       for (int d = 0; d < 6; ++d) derivative[6 * c + d] -= share * (c < 3 ? 1.0 : 2.0) * b[c] * b[d];
   }
 
+  bool acts_ = false;
   double ratio_ = 1.0;             // [-] G_0/G_ur
   double reference_strain_ = 0.0;  // [-] gamma_0.7
   double curvature_ = 1.0;         // [-] a

@@ -260,6 +260,71 @@ TEST(SmallStrain, AStringThatIsTooLongMovesNothing) {
   for (int c = 0; c < 6; ++c) EXPECT_NEAR(stress[c], point.stress()[c], 1e-9);
 }
 
+/// Numbers that are functions of the place: each point has the strings of plain numbers, and keeps them.
+TEST(SmallStrain, NumbersMayBeFunctionsOfThePlace) {
+  Teuchos::ParameterList varying = elastic(), numbers = elastic();
+  varying.sublist("small-strain stiffness").set("ratio", "5 - 2*y").set("reference strain", "1e-4*(1 + y)");
+  const auto of_place = law("linear elastic", varying, false);
+  for (const double y : {0.0, 0.5, 1.0}) {
+    numbers.sublist("small-strain stiffness").set("ratio", 5 - 2 * y).set("reference strain", 1e-4 * (1 + y));
+    const auto plain = law("linear elastic", numbers, false);
+    InitialPoint start{{0, y, 0}, {-1e5, -1e5, -1e5, 0, 0, 0}, 1.0};
+    PointDriver a(*of_place, start.stress, 1.0), b(*plain, start.stress, 1.0);
+    ASSERT_EQ(of_place->initialise(start, a.state().data()), "");
+    EXPECT_EQ(of_place->state_size(), plain->state_size() + 2);
+    EXPECT_EQ(of_place->moduli(start.stress.data(), 1.0, a.state().data()).shear,
+              plain->moduli(start.stress.data(), 1.0, b.state().data()).shear);
+    for (int n = 0; n < 40; ++n) {
+      const std::array<double, 6> strain{-1e-5, 4e-6, 0, 2e-5, 0, n < 20 ? 3e-5 : -4e-5};
+      std::array<double, 6> ours, others;
+      std::array<double, 36> tangent, other_tangent;
+      std::vector<double> state;
+      ASSERT_TRUE(a.evaluate(strain, ours, state, &tangent));
+      ASSERT_TRUE(b.evaluate(strain, others, state, &other_tangent));
+      EXPECT_EQ(ours, others);
+      EXPECT_EQ(tangent, other_tangent);
+      a.step(strain);
+      b.step(strain);
+    }
+    EXPECT_EQ(a.state().back(), b.state().back());
+  }
+  InitialPoint outside{{0, 2.5, 0}, {-1e5, -1e5, -1e5, 0, 0, 0}, 1.0};
+  std::vector<double> state(of_place->state_size());
+  const std::string reason = "its 'small-strain ratio' is 0 here; allowed: (1, 100)";
+  EXPECT_EQ(of_place->initialise(outside, state.data()), reason);
+  EXPECT_EQ(of_place->number_out_of_range(outside.position), reason);
+}
+
+/// The last number of the state: G_0/G_ur after rest and a reversal, then the slope of the curve by bricks, 1 at the
+/// end.
+TEST(SmallStrain, TellsThePresentStiffness) {
+  const auto stiff = law("linear elastic", elastic());
+  PointDriver point(*stiff, {-1e5, -1e5, -1e5, 0, 0, 0}, 1.0);
+  const auto present = [&] { return point.state().back(); };
+  EXPECT_DOUBLE_EQ(present(), ratio);
+  const auto shear = [&](double strain) {
+    const double before = point.stress()[5];
+    point.step({0, 0, 0, 0, 0, strain});
+    return (point.stress()[5] - before) / strain / 1e7;  // over G_ur
+  };
+  double last = ratio;
+  for (int n = 1; n < 80; ++n) {
+    shear(5e-6);
+    PointDriver further = point;
+    further.step({0, 0, 0, 0, 0, 1e-10});
+    EXPECT_NEAR(present(), (further.stress()[5] - point.stress()[5]) / 1e-3, 1e-5) << n;
+    EXPECT_LE(present(), last);
+    last = present();
+    const double strain = 5e-6 * n, y = 0.385 * strain / reference;  // the slope of the curve
+    if (y < std::sqrt(ratio) - 1) EXPECT_NEAR(present(), ratio / ((1 + y) * (1 + y)), 0.7);
+  }
+  EXPECT_NEAR(present(), 1.0, 1e-12);
+  shear(0.0);
+  EXPECT_NEAR(present(), 1.0, 1e-12);  // no strain is no reversal
+  shear(-1e-7);
+  EXPECT_NEAR(present(), ratio, 1e-12);
+}
+
 TEST(SmallStrain, StrengthIsThatOfTheLaw) {
   Teuchos::ParameterList clay;
   clay.set("undrained strength", 40e3).set("shear modulus", 6e6).set("Poisson's ratio", 0.45);

@@ -6,10 +6,11 @@ loops 5 %; that of forty 0.03 and 1 %."""
 import os
 import unittest
 
+import h5py
 import numpy as np
 
 from compared_case import problem
-from mudline_case import ROOT, History, MudlineCase, point_deck, program
+from mudline_case import ROOT, History, MudlineCase, deck_text, point_deck, program
 from references.small_strain import Curve
 
 RATIO, STRAIN = 5.0, 1e-4
@@ -170,6 +171,52 @@ class SmallStrain(MudlineCase):
             self.close(f"cavity, {ratio:g} G_ur", reached[-1] / (2e6 * ratio * gamma[top]), 1.0, 0.002)
         self.assertTrue(1.5 * reached[0] < pressure[top] < 0.7 * reached[1])
         self.restarted(deck, settings + small)
+
+    def test_numbers_of_place(self):
+        """A column whose ratio and reference strain vary with the height, by an expression and by a profile, sheared
+        at its top: the displacement is the integral of the strains that belong to one shear stress. The field of the
+        present stiffness begins with the ratio of each cell and falls."""
+        profile = {"profile": {"type": "profile", "depths": [0.0, 1.0], "values": [7.0, 3.0], "surface": 1.0}}
+        end, heights = 2e-4, np.linspace(0, 1, 201)
+        strains = np.linspace(0, 2e-3, 4001)
+        columns = [Curve(G * (3 + 4 * y), G, 1e-4 * (1 + y)).first(strains) for y in heights]
+        for ratio, functions in (("3 + 4*y", {}), ("profile", {"functions": profile})):
+            skeleton = {"type": "linear elastic", **ELASTIC,
+                        "small-strain stiffness": {"ratio": ratio, "reference strain": "1e-4*(1 + y)"}}
+            sides = {side: {"type": "fixed", "set": side, "components": "y"} for side in ("left", "right", "top")}
+            deck = deck_text("column", {
+                **functions, "mesh": {"type": "box", "cell": "quad9", "cells": [1, 4], "upper": [1.0, 1.0]},
+                "materials": {"soil": {"density": 1800.0, "skeleton": skeleton}},
+                "physics": {"ground": {"type": "solid"}},
+                "boundary conditions": {"base": {"type": "fixed", "set": "bottom"}, **sides,
+                                        "pull": {"type": "displacement", "set": "top", "x": f"{end}*t"}},
+                "stages": {"shear": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.1}}}})
+            history = self.run_deck(self.write("column.xml", deck), extra=["--overwrite"])
+            stress = abs(history["reaction/pull x"][-1])
+            pulled = np.trapz([np.interp(stress, column, strains) for column in columns], heights)
+            self.close(f"{ratio}, displacement", pulled / end, 1.0, 5e-3)
+            with h5py.File(self.folder + "/results/column.h5", "r") as file:
+                steps = [file["steps"][name]["cell/shear_stiffness_ratio"][()] for name in sorted(file["steps"])]
+            self.close(f"{ratio}, field", np.sort(steps[0]), np.array([3.5, 4.5, 5.5, 6.5]), 1e-9)
+            self.assertTrue((steps[-1] < 0.8 * steps[0]).all() and (steps[-1] >= 1).all(), steps[-1])
+
+    def test_present_stiffness(self):
+        """The column `shear stiffness ratio` of a test: G_0 over that of the law at rest and after a reversal, the
+        slope of the bricks on the way, 1 at the end."""
+        test = path(400, 2.0, shear_strain_xy="1e-3*(t-2*max(t-1,0))")
+        for name in ("linear elastic", "modified cam clay"):
+            test["initial state"]["overconsolidation ratio"] = 6.0
+            history = self.point(law(name), {"shear": test})["shear"]
+            columns = ("shear stiffness ratio", "shear strain xy", "shear stress xy")
+            present, gamma, tau = (history[column] for column in columns)
+            self.close("at rest", present[0], RATIO, 1e-12)
+            self.close("beyond the strings", present[200], 1.0, 1e-12)
+            self.close("after the reversal", present[201], RATIO, 1e-12)
+            slope = np.diff(tau) / np.diff(gamma) / LAWS[name][0]
+            steady = present[1:-1] == present[2:]  # no string came to its end in the step
+            steady &= np.arange(1, len(present) - 1) != 200  # the reversal
+            self.assertGreater(np.count_nonzero(steady), 300)
+            self.close(f"{name}, slope", present[1:-1][steady], slope[1:][steady], 1e-6)
 
     def test_strip(self):
         """A strip footing on clay: stiffer at first, the same limit load."""
