@@ -201,8 +201,8 @@ class SmallStrain(MudlineCase):
             self.assertTrue((steps[-1] < 0.8 * steps[0]).all() and (steps[-1] >= 1).all(), steps[-1])
 
     def test_present_stiffness(self):
-        """The column `shear stiffness ratio` of a test: G_0 over that of the law at rest and after a reversal, the
-        slope of the bricks on the way, 1 at the end."""
+        """The column `shear stiffness ratio` of a test: G_0 over that of the law at rest, nearly so after a
+        reversal, the slope of the bricks on the way, 1 at the end."""
         test = path(400, 2.0, shear_strain_xy="1e-3*(t-2*max(t-1,0))")
         for name in ("linear elastic", "modified cam clay"):
             test["initial state"]["overconsolidation ratio"] = 6.0
@@ -211,7 +211,8 @@ class SmallStrain(MudlineCase):
             present, gamma, tau = (history[column] for column in columns)
             self.close("at rest", present[0], RATIO, 1e-12)
             self.close("beyond the strings", present[200], 1.0, 1e-12)
-            self.close("after the reversal", present[201], RATIO, 1e-12)
+            # the step back of 5e-6 is longer than the first of twelve bricks allows
+            self.assertTrue(0.95 * RATIO < present[201] < RATIO, present[201])
             slope = np.diff(tau) / np.diff(gamma) / LAWS[name][0]
             steady = present[1:-1] == present[2:]  # no string came to its end in the step
             steady &= np.arange(1, len(present) - 1) != 200  # the reversal
