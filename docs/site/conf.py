@@ -48,7 +48,7 @@ NAVIGATION = [
                "docs/penetration.md", "docs/output_format.md", "docs/python.md",
                "docs/decks_from_others.md", "inputs/README.md"]),
     ("Reference", ["docs/parameters.md", "docs/materials.md", "docs/theory.md"]),
-    ("Evidence", ["docs/measurements/*.md", "docs/benchmarks/*.md", "docs/reliability.md"]),
+    ("Evidence", ["docs/validation.md", "docs/measurements/*.md", "docs/benchmarks/*.md", "docs/reliability.md"]),
     ("Own code", ["docs/developer_guide.md", "docs/physics_in_an_hour.md", "inputs/plugins/*/README.md"]),
     ("Project", ["docs/decisions.md", "CHANGELOG.md", "CONTRIBUTING.md", "CODE_OF_CONDUCT.md",
                  "docs/third_party.md"]),

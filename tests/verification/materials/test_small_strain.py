@@ -222,7 +222,8 @@ class SmallStrain(MudlineCase):
     def test_strip(self):
         """A strip footing on clay: stiffer at first, the same limit load."""
         deck = os.path.join(ROOT, "inputs", "bearing_capacity", "strip_tresca.xml")
-        small = ["materials/soil/skeleton/small-strain stiffness/" + entry for entry in ("ratio=5", "reference strain=1e-6")]
+        small = ["materials/soil/skeleton/small-strain stiffness/" + entry
+                 for entry in ("ratio=5", "reference strain=1e-6")]
         alone, stiff = (self.run_deck(deck, settings)["reaction/footing y"] for settings in ([], small))
         self.assertTrue(2 * alone[0] > stiff[0] > 5 * alone[0], "first step")  # upwards is positive
         self.close("limit load", stiff[-1] / alone[-1], 1.0, 2e-3)
