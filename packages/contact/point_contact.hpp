@@ -173,7 +173,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   std::string set_;  // side set of the surface
   bool predicting_ = false;
   std::vector<Point> slid_;  // [Pa] by row: shear stress at the last linearisation of the step, of points that slid
-  PairDofs pairs_;                             // of sides and pieces of the target, in the order of SideAction
+  PairDofs pairs_;           // of sides and pieces of the target, in the order of SideAction
   std::vector<std::pair<int, double>> later_;  // (dof, force) of the last residual call, at the alpha level
 
   /// Closes the initial gaps of one side's points, and sets their pressures.
