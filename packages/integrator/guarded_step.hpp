@@ -86,7 +86,7 @@ class GuardedStep : public NOX::LineSearch::Generic {
   double share_without_work(const NoxGroup& old, const NoxGroup& now, const NOX::Abstract::Vector& direction) const {
     constexpr int full_steps = 4;                // at least
     constexpr double beyond = 0.5, least = 0.1;  // work at the end over that at the start, from which the step is cut
-    if (iterations() <= full_steps || !(now.getNormF() > near_)) return 1;
+    if (largest_growth_ > 0 || iterations() <= full_steps || !(now.getNormF() > near_)) return 1;
     const double start = old.work(direction), end = now.work(direction);
     return start < 0 && end > -beyond * start ? std::max(start / (start - end), least) : 1;
   }

@@ -34,7 +34,7 @@ sys.path.insert(0, str(ROOT / "python"))
 import mudline  # noqa: E402
 
 WIDTH = 1.0  # of the body [m]
-BOX = {"footing": 6.0, "laid": 6.0, "slid": 6.0, "strip": 6.0, "impact": 6.0}
+BOX = 6.0  # width of the ground [m]
 
 
 def log_uniform(rng, low, high):
@@ -234,23 +234,29 @@ def stage(deck, name, duration, first, kind="quasi-static"):
     deck[f"stages/{name}/time step/initial"] = first
 
 
+def pushed(rng, deck, least, most):
+    """Pushes the body down by between these shares of its width; returns the time that it takes [s]."""
+    duration = log_uniform(rng, 10, 1e5)
+    speed = WIDTH * uniform(rng, least, most) / duration
+    put(deck, "bodies/body/motion", {"type": "prescribed velocity", "velocity y": -float(f"{speed:.4g}")})
+    return duration
+
+
 def footing(rng, deck):
     saturated = rng.random() < 0.5
     soil = draw_soil(rng, EFFECTIVE_STRESS if saturated or rng.random() < 0.6 else TOTAL_STRESS)
-    box(rng, deck, BOX["footing"], 5.0, (14, 10))
+    box(rng, deck, BOX, 5.0, (14, 10))
     ground(rng, deck, soil, saturated)
     body(rng, deck)
     friction(rng, deck, soil)
-    duration = log_uniform(rng, 10, 1e5)
-    speed = WIDTH * uniform(rng, 0.01, 0.1) / duration
-    put(deck, "bodies/body/motion", {"type": "prescribed velocity", "velocity y": -float(f"{speed:.4g}")})
+    duration = pushed(rng, deck, 0.01, 0.1)
     stage(deck, "push", duration, float(f"{duration / rng.choice([20, 40, 80]):.4g}"))
 
 
 def laid(rng, deck):
     saturated = rng.random() < 0.4
     soil = draw_soil(rng, EFFECTIVE_STRESS if saturated or rng.random() < 0.4 else TOTAL_STRESS)
-    axisymmetric = box(rng, deck, BOX["laid"], 5.0, (14, 10))
+    axisymmetric = box(rng, deck, BOX, 5.0, (14, 10))
     ground(rng, deck, soil, saturated)
     body(rng, deck, ("strip",))
     friction(rng, deck, soil)
@@ -258,7 +264,6 @@ def laid(rng, deck):
     at_once = rng.random() < 0.5
     put(deck, "bodies/body/motion", {"type": "force", "force y": -force if at_once else f"-{force}*min(t/10, 1)"})
     stage(deck, "lay down", 20.0, 20.0 / rng.choice([4, 10, 20]))
-    return soil
 
 
 def slid(rng, deck):
@@ -312,7 +317,7 @@ def loaded(rng, deck):
 
 def strip(rng, deck):
     soil = draw_soil(rng, [cam_clay, natural_clay, mohr_coulomb, drucker_prager, sand])
-    axisymmetric = box(rng, deck, BOX["strip"], 5.0, (12, 10))
+    axisymmetric = box(rng, deck, BOX, 5.0, (12, 10))
     deck["mesh/cell"] = rng.choice(["quad9", "tri6"])
     ground(rng, deck, soil, True)
     load = float(f"{rng.uniform(0.2, 0.6) * soil.bears:.4g}")
@@ -329,7 +334,7 @@ def strip(rng, deck):
 def impact(rng, deck):
     saturated = rng.random() < 0.4
     soil = draw_soil(rng, EFFECTIVE_STRESS if saturated or rng.random() < 0.3 else TOTAL_STRESS)
-    axisymmetric = box(rng, deck, BOX["impact"], 5.0, (14, 10))
+    axisymmetric = box(rng, deck, BOX, 5.0, (14, 10))
     ground(rng, deck, soil, saturated)
     body(rng, deck)
     friction(rng, deck, soil)
@@ -366,9 +371,7 @@ def pressed(rng, deck):
                                           "shoulder radius": 0.1})
     put(deck, "contacts/touch", {"type": "penalty", "body": "body", "surface": "surface"})
     friction(rng, deck, soil)
-    duration = log_uniform(rng, 10, 1e5)
-    speed = WIDTH * uniform(rng, 0.1, 0.5) / duration
-    put(deck, "bodies/body/motion", {"type": "prescribed velocity", "velocity y": -float(f"{speed:.4g}")})
+    duration = pushed(rng, deck, 0.1, 0.5)
     put(deck, "mesh motion/boundary",
         {"focus": "body", "size near focus": 0.06, "near distance": 0.6, "growth": 0.15})
     stage(deck, "push", duration, float(f"{duration / 200:.4g}"))
