@@ -19,9 +19,9 @@ namespace mudline {
 ///   halved. The limit is optional: residuals may rise in iterations with contact and friction, where a line search
 ///   that requires descent would take tiny steps;
 /// - full steps alternate between two states of contact or yielding: half a step leads to the state between both;
-/// - after some iterations the residual is still large, and the step goes far beyond the place where what is out of
-///   balance does no work along it: cut to that place, as a secant finds it. Elastic-plastic soil stores energy or
-///   takes it, so the work falls along a step, and the place is that of the least energy.
+/// - without a largest growth, after some iterations the residual of the forces is still large, and the step goes far
+///   beyond the place where they do no work along it: cut to that place, as a secant finds it. Elastic-plastic soil
+///   stores energy or takes it, so the work falls along a step, and the place is that of the least energy.
 class GuardedStep : public NOX::LineSearch::Generic {
  public:
   GuardedStep(double largest_growth, int halvings) : largest_growth_(largest_growth), halvings_(halvings) {}
@@ -29,23 +29,10 @@ class GuardedStep : public NOX::LineSearch::Generic {
                const NOX::Solver::Generic& solver) override {
     const auto& old = dynamic_cast<const NoxGroup&>(solver.getPreviousSolutionGroup());
     auto& at = dynamic_cast<NoxGroup&>(group);
-    // all norms are relative to what acts at the new iterate
     norms_.push_back(old.getNormF());
-    step = 1;
-    bool cut = false;
-    for (int halving = 0;; ++halving, step *= 0.5) {
-      at.computeX(old, direction, step);
-      const bool evaluated = at.computeF() == NOX::Abstract::Group::Ok && std::isfinite(at.getNormF());
-      if (halving == halvings_) return true;
-      if (!evaluated || (step == 1 && alternates(at.getNormF()))) continue;
-      const double share = cut ? 1 : share_without_work(old, at, direction);
-      if (share < 1) {
-        cut = true;
-        step *= 2 * share;  // and is halved
-      } else if (tame(at.getNormF())) {
-        return true;
-      }
-    }
+    step = share_to_go(old, at, direction);
+    before_ = direction.clone(NOX::DeepCopy);
+    return true;
   }
 
   class Factory : public NOX::LineSearch::UserDefinedFactory {
@@ -66,21 +53,40 @@ class GuardedStep : public NOX::LineSearch::Generic {
   static constexpr double near_ = 100;
   static constexpr int patience_ = 6;
 
+  /// The share of the step that is taken; `at` is evaluated there.
+  double share_to_go(const NoxGroup& old, NoxGroup& at, const NOX::Abstract::Vector& direction) const {
+    double step = 1;
+    bool cut = false;
+    for (int halving = 0;; ++halving, step *= 0.5) {
+      at.computeX(old, direction, step);
+      const bool evaluated = at.computeF() == NOX::Abstract::Group::Ok && std::isfinite(at.getNormF());
+      if (halving == halvings_) return step;
+      if (!evaluated || (step == 1 && alternates(at.getNormF(), direction))) continue;
+      const double share = cut ? 1 : share_without_work(old, at, direction);
+      if (share < 1) {
+        cut = true;
+        step *= 2 * share;  // and is halved
+      } else if (tame(at.getNormF(), old.getNormF())) {
+        return step;
+      }
+    }
+  }
   int iterations() const { return static_cast<int>(norms_.size()); }
 
-  /// Whether the residual has not grown too much.
-  bool tame(double now) const {
+  /// Whether the residual has not grown too much. Both norms are relative to what acts at the new iterate.
+  bool tame(double now, double before) const {
     if (largest_growth_ == 0) return true;
-    const double before = norms_.back();
     return now <= near_ ? iterations() < patience_ || now <= before : now <= largest_growth_ * before;
   }
-  /// Whether the residual of the new iterate and that of the one before repeat those of two iterations before, and are
-  /// large.
-  bool alternates(double now) const {
-    constexpr double same = 0.01;
+  /// Whether the step undoes the one before, and the residual of the new iterate and that of the one before repeat
+  /// those of two iterations before, and are large.
+  bool alternates(double now, const NOX::Abstract::Vector& direction) const {
+    constexpr double same = 0.01, opposite = -0.9;  // cosine
     const std::size_t n = norms_.size();
     if (n < 3 || !(now > near_)) return false;
-    return std::abs(now - norms_[n - 2]) <= same * now && std::abs(norms_[n - 1] - norms_[n - 3]) <= same * now;
+    if (std::abs(now - norms_[n - 2]) > same * now || std::abs(norms_[n - 1] - norms_[n - 3]) > same * now)
+      return false;
+    return direction.innerProduct(*before_) < opposite * direction.norm() * before_->norm();
   }
   /// Share of the step at whose end no work is done along it, if the step is to be cut there; else 1.
   double share_without_work(const NoxGroup& old, const NoxGroup& now, const NOX::Abstract::Vector& direction) const {
@@ -93,7 +99,8 @@ class GuardedStep : public NOX::LineSearch::Generic {
 
   double largest_growth_;
   int halvings_;
-  std::vector<double> norms_;  // of the residuals of all iterates so far
+  std::vector<double> norms_;                // of the residuals of all iterates so far
+  RCP<const NOX::Abstract::Vector> before_;  // direction of the iteration before
 };
 
 }  // namespace mudline

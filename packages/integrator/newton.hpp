@@ -31,8 +31,8 @@ class NonlinearProblem {
   virtual bool at_rounding() const { return false; }
   /// In words, where the residual f is largest; "": not known. Collective.
   virtual std::string place_of_largest(const Vector& f) const { return ""; }
-  /// Work [J] that the forces out of balance f do on the motion of dx; negative where they resist it. 0: not known.
-  /// Collective.
+  /// Work [J] of the residual's forces, those of f, on the motion of dx: negative where the motion follows what is out
+  /// of balance. 0: not known, or something else than forces is farther from its balance. Collective.
   virtual double work(const Vector& f, const Vector& dx) { return 0; }
   /// Called once per iterate with the largest of its residual ratios.
   virtual void observe(double worst) {}

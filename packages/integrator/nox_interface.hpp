@@ -161,7 +161,7 @@ class NoxGroup : public NOX::Abstract::Group {
     for (double r : shared_->problem->residual_ratios(f_.get())) sum += r * r;
     return std::sqrt(sum);
   }
-  /// Work [J] that the forces out of balance do on a motion, see NonlinearProblem.
+  /// Work [J] of the residual's forces on a motion, see NonlinearProblem.
   double work(const NOX::Abstract::Vector& direction) const {
     return shared_->problem->work(f_.get(), NoxVector::of(direction));
   }

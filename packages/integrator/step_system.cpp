@@ -353,11 +353,15 @@ void StepSystem::observe(double worst) {
 }
 
 double StepSystem::work(const Vector& f, const Vector& dx) {
-  const std::vector<double> by_field = owned_field_products(*space_.dofs(), f, dx);
-  double sum = 0;
-  for (int field = 0; field < space_.num_fields(); ++field)
-    sum += space_.field(field).time_order == 2 ? by_field[field] : 0;
-  return sum;
+  const std::vector<double> works = owned_field_products(*space_.dofs(), f, dx), ratios = residual_ratios(f);
+  double sum = 0, forces = 0, flows = 0;  // the latter two: residuals over their tolerances
+  for (int field = 0; field < space_.num_fields(); ++field) {
+    const bool moves = space_.field(field).time_order == 2;
+    if (moves) sum += works[field];
+    double& worst = moves ? forces : flows;
+    worst = std::max(worst, ratios[field]);
+  }
+  return forces >= flows ? sum : 0;
 }
 
 Vector StepSystem::begin(const StepRequest& request, const StepTolerances& tolerances) {

@@ -44,7 +44,7 @@ class Deb(MudlineCase):
         self.assertFalse((tree / "usr" / "include").exists())
         documents = links.documents(share / "doc" / "mudline")
         self.assertGreater(len(documents), 50)
-        self.assertEqual(links.broken((share / "doc" / "mudline").resolve(), documents, paths=False), [])
+        self.assertEqual(links.broken((share / "doc" / "mudline").resolve(), documents, source=False), [])
 
         mudline_case.PROGRAM = str(tree / "usr" / "bin" / "mudline")
         for command in (["new", "column"], ["run", "my_column.xml"], ["report", "results/my_column"],

@@ -176,7 +176,7 @@ double ModifiedCamClay::k0(double overconsolidation_ratio) const {
   const double elastic = shear_modulus > 0.0 || shear_ratio > 0.0 ? 0.0 : swelling / (3.0 * shear_to_bulk());
   const auto excess = [&](double eta) {
     const double plastic = 2.0 * eta * (compression - swelling) / (ratio * ratio - eta * eta);
-    if (shear_ratio > 0.0 && volume == Volume::current)  // of the swelling line of v exp(-h)
+    if (shear_ratio > 0.0 && volume == Volume::current)  // the swelling line holds for v exp(-h)
       return plastic - 2.0 / 3.0 * (compression + swelling * std::expm1(dilation(2.0 / 3.0 * eta * eta, 1.0)));
     return plastic + eta * elastic - 2.0 / 3.0 * compression;
   };
