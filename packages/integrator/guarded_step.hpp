@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "integrator/nox_interface.hpp"
@@ -59,14 +60,15 @@ class GuardedStep : public NOX::LineSearch::Generic {
     bool cut = false;
     for (int halving = 0;; ++halving, step *= 0.5) {
       at.computeX(old, direction, step);
-      const bool evaluated = at.computeF() == NOX::Abstract::Group::Ok && std::isfinite(at.getNormF());
+      const double now =
+          at.computeF() == NOX::Abstract::Group::Ok ? at.getNormF() : std::numeric_limits<double>::quiet_NaN();
       if (halving == halvings_) return step;
-      if (!evaluated || (step == 1 && alternates(at.getNormF(), direction))) continue;
-      const double share = cut ? 1 : share_without_work(old, at, direction);
+      if (!std::isfinite(now) || (step == 1 && alternates(now, direction))) continue;
+      const double share = cut ? 1 : share_without_work(old, at, now, direction);
       if (share < 1) {
         cut = true;
         step *= 2 * share;  // and is halved
-      } else if (tame(at.getNormF(), old.getNormF())) {
+      } else if (largest_growth_ == 0 || tame(now, old.getNormF())) {
         return step;
       }
     }
@@ -75,7 +77,6 @@ class GuardedStep : public NOX::LineSearch::Generic {
 
   /// Whether the residual has not grown too much. Both norms are relative to what acts at the new iterate.
   bool tame(double now, double before) const {
-    if (largest_growth_ == 0) return true;
     return now <= near_ ? iterations() < patience_ || now <= before : now <= largest_growth_ * before;
   }
   /// Whether the step undoes the one before, and the residual of the new iterate and that of the one before repeat
@@ -88,12 +89,14 @@ class GuardedStep : public NOX::LineSearch::Generic {
       return false;
     return direction.innerProduct(*before_) < opposite * direction.norm() * before_->norm();
   }
-  /// Share of the step at whose end no work is done along it, if the step is to be cut there; else 1.
-  double share_without_work(const NoxGroup& old, const NoxGroup& now, const NOX::Abstract::Vector& direction) const {
+  /// Share of the step at whose end no work is done along it, if the step is to be cut there; else 1. `now`: norm of
+  /// the residual at its end, `at`.
+  double share_without_work(const NoxGroup& old, const NoxGroup& at, double now,
+                            const NOX::Abstract::Vector& direction) const {
     constexpr int full_steps = 4;                // at least
     constexpr double beyond = 0.5, least = 0.1;  // work at the end over that at the start, from which the step is cut
-    if (largest_growth_ > 0 || iterations() <= full_steps || !(now.getNormF() > near_)) return 1;
-    const double start = old.work(direction), end = now.work(direction);
+    if (largest_growth_ > 0 || iterations() <= full_steps || !(now > near_)) return 1;
+    const double start = old.work(direction), end = at.work(direction);
     return start < 0 && end > -beyond * start ? std::max(start / (start - end), least) : 1;
   }
 

@@ -298,6 +298,15 @@ def dragged(rng, deck):
     put(deck, "stages/draw/motions/body", {"type": "prescribed displacement", "x": f"{way}*sin(pi/2*t)"})
 
 
+def drains(rng, deck, way, growth, steps):
+    """A stage in which the load is put at once and drains, as long as water takes for `way` [m] at a gradient of one;
+    the steps grow by `growth` at least, to one of so many of equal length."""
+    duration = float(f"{way / deck['materials/soil/permeability/hydraulic conductivity']:.4g}")
+    stage(deck, "consolidation", duration, float(f"{duration * log_uniform(rng, 1e-5, 1e-2):.4g}"))
+    deck["stages/consolidation/time step/growth"] = uniform(rng, growth, 1.5)
+    deck["stages/consolidation/time step/maximum"] = duration / steps
+
+
 def loaded(rng, deck):
     soil = draw_soil(rng, [cam_clay, natural_clay, sand, mohr_coulomb, elastic])
     deck["mesh/type"] = "box"
@@ -308,11 +317,7 @@ def loaded(rng, deck):
     ground(rng, deck, soil, True)
     load = float(f"{max(soil.stress, 0.2 * soil.bears) * log_uniform(rng, 1, 20):.4g}")
     put(deck, "boundary conditions/load", {"type": "pressure", "set": "top", "value": load})
-    conductivity = deck["materials/soil/permeability/hydraulic conductivity"]
-    duration = float(f"{3e-2 / conductivity:.4g}")
-    stage(deck, "consolidation", duration, float(f"{duration * log_uniform(rng, 1e-5, 1e-2):.4g}"))
-    deck["stages/consolidation/time step/growth"] = uniform(rng, 1.05, 1.5)
-    deck["stages/consolidation/time step/maximum"] = duration / 40
+    drains(rng, deck, 3e-2, 1.05, 40)
 
 
 def strip(rng, deck):
@@ -324,11 +329,7 @@ def strip(rng, deck):
     across = "r" if axisymmetric else "x"
     value = f"{across} < {WIDTH / 2} ? {load} : 0"
     put(deck, "boundary conditions/load", {"type": "pressure", "set": "top", "value": value})
-    conductivity = deck["materials/soil/permeability/hydraulic conductivity"]
-    duration = float(f"{1e-1 / conductivity:.4g}")
-    stage(deck, "consolidation", duration, float(f"{duration * log_uniform(rng, 1e-5, 1e-2):.4g}"))
-    deck["stages/consolidation/time step/growth"] = uniform(rng, 1.1, 1.5)
-    deck["stages/consolidation/time step/maximum"] = duration / 20
+    drains(rng, deck, 1e-1, 1.1, 20)
 
 
 def impact(rng, deck):

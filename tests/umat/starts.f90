@@ -26,12 +26,7 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
                 temp, dtemp, predef, dpred, cmname, ndi, nshr, ntens, nstatv, props, nprops, coords, drot, pnewdt, &
                 celent, dfgrd0, dfgrd1, noel, npt, layer, kspt, kstep, kinc)
   implicit none
-  character(len=80) :: cmname
-  integer :: ndi, nshr, ntens, nstatv, nprops, noel, npt, layer, kspt, kstep, kinc
-  double precision :: stress(ntens), statev(nstatv), ddsdde(ntens, ntens), ddsddt(ntens), drplde(ntens), &
-                      stran(ntens), dstran(ntens), time(2), predef(1), dpred(1), props(nprops), coords(3), &
-                      drot(3, 3), dfgrd0(3, 3), dfgrd1(3, 3), sse, spd, scd, rpl, drpldt, dtime, temp, dtemp, &
-                      pnewdt, celent
+  include 'arguments.inc'
   double precision :: lambda, mu
   integer :: i
   mu = props(1) / (2 * (1 + props(2)))

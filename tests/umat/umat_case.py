@@ -69,7 +69,7 @@ class UmatCase(MudlineCase):
     def library(self, source):
         name = os.path.splitext(os.path.basename(source))[0] + ".so"
         output = os.path.join(self.folder, name)
-        subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", source, "-o", output], check=True)
+        subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", HERE, source, "-o", output], check=True)
         return name
 
     def umat(self, source, **more):

@@ -17,8 +17,7 @@ namespace mudline {
 ///   SPRIND       these with their directions, the rows of AN, which are right-handed
 ///   ROTSIG       R S R^T
 ///   XIT          ends the program with exit code 1
-///   STDB_ABQERR  LOP = 1 tells a message, -1 warns, -2 warns of an error and counts it, -3 ends the program; %I, %R
-///   and
+///   STDB_ABQERR  LOP = 1 tells a message, -1 warns, -2 warns of an error and counts it, -3 ends the program; %I, %R,
 ///                %S in the text are the next items of INTV, REALV and CHARV
 std::vector<SuppliedFunction> umat_utilities();
 
