@@ -49,7 +49,11 @@ double largest_ratio(const std::vector<double>& norms, const std::vector<double>
   return largest;
 }
 
-bool FirstGuess::improve(Vector& x, bool extrapolates) { return !(extrapolates && extrapolate(x)) && predict(x); }
+int FirstGuess::improve(Vector& x, bool extrapolates) {
+  solved_ = 0;
+  if (!extrapolates || !extrapolate(x)) predict(x);
+  return solved_;
+}
 
 NodalView FirstGuess::rates() const {
   const State& old = system_.store().committed();
@@ -66,7 +70,7 @@ NodalView FirstGuess::rates() const {
 
 bool FirstGuess::extrapolate(Vector& x) {
   if (!system_.scheme().flow) return false;  // geostatic: no time passes
-  const Vector guess = extrapolated(system_, x, rates());
+  Vector guess = extrapolated(system_, x, rates());
   Vector change(guess, Teuchos::Copy), f(system_.map());
   change.update(-1, x, 1);
   if (change.norm2() == 0) return false;
@@ -76,23 +80,44 @@ bool FirstGuess::extrapolate(Vector& x) {
   const std::vector<double> resting = owned_field_norms(dofs, f), acting = system_.convergence().acting();
   if (!system_.residual(guess, f)) return false;
   const std::vector<double> moving = owned_field_norms(dofs, f), &now_acting = system_.convergence().acting();
-  if (here && largest_ratio(moving, acting, now_acting) > largest_ratio(resting, acting, now_acting)) return false;
+  const bool worse = here && largest_ratio(moving, acting, now_acting) > largest_ratio(resting, acting, now_acting);
+  if (worse && (system_.scheme().inertia || !iterate(guess, f))) return false;
   Tpetra::deep_copy(x, guess);
   return true;
 }
 
-bool FirstGuess::predict(Vector& x) {
+bool FirstGuess::iterate(Vector& x, Vector& f) {
+  // Soil that flows on as before keeps its stresses but for the pressure, because the rates are not quite those of no
+  // change of volume at the next place. Its stiffness against that is large, and so are the forces, but one iteration
+  // takes them away. Where the contact has changed it does not, and the state at rest is the better start.
+  constexpr double half = 0.5;
+  const DofMap& dofs = *system_.space().dofs();
+  const std::vector<double> before = owned_field_norms(dofs, f), acting = system_.convergence().acting();
+  system_.forget_jacobian();
+  Vector correction(system_.map());
+  const bool solved = system_.jacobian(x) && system_.solve(f, correction);
+  solved_ += solved ? 1 : 0;
+  if (solved) x.update(-1, correction, 1);
+  const bool evaluated = solved && system_.residual(x, f);
+  const std::vector<double>& now_acting = system_.convergence().acting();
+  if (evaluated &&
+      largest_ratio(owned_field_norms(dofs, f), acting, now_acting) < half * largest_ratio(before, acting, now_acting))
+    return true;
+  system_.forget_jacobian();
+  return false;
+}
+
+void FirstGuess::predict(Vector& x) {
   const std::vector<Unilateral*>& unilateral = system_.unilateral();
   const bool asked = std::any_of(unilateral.begin(), unilateral.end(),
                                  [](const Unilateral* term) { return term->asks_for_prediction(); });
   for (Unilateral* term : unilateral) term->predicting(asked);
-  const bool predicted = predict_linear(x, asked);
+  predict_linear(x, asked);
   for (Unilateral* term : unilateral) term->predicting(false);
-  if (!asked) return predicted;
+  if (!asked) return;
   // neither state nor Jacobian of the linearised prediction may enter the iteration
   system_.forget_evaluation();
   system_.forget_jacobian();
-  return predicted;
 }
 
 bool FirstGuess::rests() const {
@@ -109,25 +134,25 @@ bool FirstGuess::rests() const {
   return total[0] <= 1e-6 * total[1];
 }
 
-bool FirstGuess::predict_linear(Vector& x, bool always) {
+void FirstGuess::predict_linear(Vector& x, bool always) {
   const Vector old = owned_part(*system_.space().dofs(), system_.store().committed().value);
   Vector moved(system_.map());
   moved.update(1, x, -1, old, 0);
   const bool moves = moved.norm2() > 0;
-  if (!moves && !always) return false;
+  if (!moves && !always) return;
   // The columns of prescribed unknowns are not in the matrix: their product with the change is differenced. The
   // fraction is small enough for the elements next to the moving nodes, large enough against rounding.
   constexpr double fraction = 1e-3;
   Vector f(system_.map()), shifted(system_.map()), part(old, Teuchos::Copy), correction(system_.map());
   part.update(fraction, moved, 1);
-  if (moves && !system_.evaluate(part, false, shifted)) return false;
-  if (!system_.residual(old, f) || !rests()) return false;
+  if (moves && !system_.evaluate(part, false, shifted)) return;
+  if (!system_.residual(old, f) || !rests()) return;
   system_.forget_jacobian();  // the rate of convergence of an old Jacobian is not known here
-  if (!system_.jacobian(old)) return false;
+  if (!system_.jacobian(old)) return;
   if (moves) f.update(1 / fraction, shifted, 1 - 1 / fraction);
-  if (!system_.solve(f, correction)) return false;
+  if (!system_.solve(f, correction)) return;
   x.update(-1, correction, 1);
-  return true;
+  ++solved_;
 }
 
 }  // namespace mudline

@@ -19,26 +19,31 @@ class FirstGuess {
   /// `system` must outlive it.
   explicit FirstGuess(StepSystem& system) : system_(system) {}
   /// Improves `x`, which StepSystem::begin() gave: by the predictor if `extrapolates`, or else by a linear
-  /// prediction. Returns whether it solved a linear system. Collective.
-  bool improve(Vector& x, bool extrapolates);
+  /// prediction. Returns how many linear systems it solved. Collective.
+  int improve(Vector& x, bool extrapolates);
 
  private:
   /// The rates of the last step, by overlap dof: the predictor; with inertia, and of bodies and multipliers, which have
   /// no mesh that moves, the committed rates.
   NodalView rates() const;
   /// Extrapolates the guess with the predictor. Returns false, with x unchanged, where nothing moves, where the terms
-  /// cannot be evaluated there, or where the imbalance is larger.
+  /// cannot be evaluated there, or where the imbalance is larger; without inertia, where it is larger and one
+  /// iteration of Newton's method does not halve it.
   bool extrapolate(Vector& x);
+  /// Takes one iteration of Newton's method from x, at which the residual was evaluated last; `f`: it. Returns whether
+  /// that leaves less than half of the imbalance; if not, x and f mean nothing any more.
+  bool iterate(Vector& x, Vector& f);
   /// Linear prediction: where prescribed unknowns move or a term asks for it, replaces the guess `x` by the linear
   /// response of the committed state. Otherwise all other unknowns would stay behind, and a large motion would fold or
-  /// yield the elements in between. Returns false where it leaves x unchanged.
-  bool predict(Vector& x);
-  bool predict_linear(Vector& x, bool always);
+  /// yield the elements in between.
+  void predict(Vector& x);
+  void predict_linear(Vector& x, bool always);
   /// Whether the forces of the committed state at rest (the last evaluation) equal its stored F_n. Soil whose strength
   /// depends on the strain rate relaxes at rest; its response there does not apply to a motion.
   bool rests() const;
 
   StepSystem& system_;
+  int solved_ = 0;  // linear systems
 };
 
 }  // namespace mudline

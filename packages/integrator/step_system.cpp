@@ -432,7 +432,7 @@ std::vector<double> StepSystem::solver_memory() {
   std::vector<double> memory = solver_.memory();
   forcing_.forget();
   if (memory.empty())
-    chord_.forget();
+    chord_.forget_all();
   else
     chord_.save(memory);
   return memory;

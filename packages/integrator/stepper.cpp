@@ -52,7 +52,7 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
   Vector x = system_.begin(request, tolerances);
   StepReport report;
   const bool extrapolates = newton.first_guess == NewtonOptions::FirstGuess::extrapolated;
-  report.newton_iterations = FirstGuess(system_).improve(x, extrapolates) ? 1 : 0;
+  report.newton_iterations = FirstGuess(system_).improve(x, extrapolates);
   solve_step(newton, x, report);
   report.linear_iterations = system_.linear_iterations();
   report.factorisations = system_.factorisations();

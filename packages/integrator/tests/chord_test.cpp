@@ -73,5 +73,56 @@ TEST(Chord, ExpectsNoNewJacobianNearTheEnd) {
   EXPECT_FALSE(chord.may_reuse()) << "but not for 1e6";
 }
 
+/// A step whose first iteration takes away all but 1e-3 with the old matrix, and whose second one, with this matrix
+/// too, leaves the share `second`.
+void take_step(ChordControl& chord, double second) {
+  chord.start_step({1});
+  chord.observe(1e6, 0);
+  chord.observe(1e3, 1e6);
+  chord.observe(1e3 * second, 1e3);
+}
+
+/// Whether the old matrix would serve in the second iteration of the next step, whose first one takes as much away.
+bool serves_in_second(ChordControl& chord) {
+  chord.start_step({1});
+  chord.observe(1e6, 0);
+  const bool expected = !chord.expects_jacobian(true);
+  chord.observe(1e3, 1e6);
+  EXPECT_EQ(expected, chord.may_reuse()) << "what is expected at the iterate before";
+  return chord.may_reuse();
+}
+
+TEST(Chord, AChordThatDidBadlyIsNotTriedAgainForSomeSteps) {
+  ChordControl chord = after_step(1e-3);
+  take_step(chord, 0.01);
+  EXPECT_TRUE(serves_in_second(chord));
+  take_step(chord, 0.9);
+  ChordControl restarted;
+  restarted.enabled = true;
+  std::vector<double> memory;
+  chord.save(memory);
+  restarted.restore(memory);
+  for (int step = 1; step < 10; ++step) {
+    EXPECT_FALSE(serves_in_second(chord)) << step;
+    EXPECT_FALSE(serves_in_second(restarted)) << step;
+    for (ChordControl* each : {&chord, &restarted}) {
+      each->refreshed();
+      each->observe(1, 1e3);  // with a new matrix: says nothing of a chord
+    }
+  }
+  EXPECT_TRUE(serves_in_second(chord)) << "ten steps later";
+  EXPECT_TRUE(serves_in_second(restarted));
+  take_step(chord, 0.9);
+  chord.forget();
+  chord.refreshed();
+  EXPECT_FALSE(serves_in_second(chord)) << "another matrix is no better there";
+  chord.forget_all();
+  chord.refreshed();
+  chord.start_step({1});
+  chord.observe(1e6, 0);
+  chord.observe(1e3, 1e6);
+  EXPECT_TRUE(chord.may_reuse());
+}
+
 }  // namespace
 }  // namespace mudline
