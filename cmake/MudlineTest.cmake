@@ -9,6 +9,9 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 include(MudlineLauncher)
 mudline_launcher(mudline_mpiexec ${MPIEXEC_EXECUTABLE})
 
+# Ranks that wait give their core away (OpenMPI's mpi_yield_when_idle): tests side by side have more ranks than cores, and
+# ranks that spin there took three quarters of such a test's CPU time.
+
 # mudline_test(NAME LABELS word... {SCRIPT file.py | COMMAND program} [argument...] [RANKS n]
 #              [ENVIRONMENT name=value...])
 #
@@ -37,5 +40,5 @@ function(mudline_test name)
   math(EXPR wall "3 * ${cpu} + 900")  # cpu_limit.py ends it before
   list(JOIN mudline_mpiexec " " mpiexec)
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${wall} PROCESSORS ${arg_RANKS} ENVIRONMENT
-    "MUDLINE=$<TARGET_FILE:mudline>;MUDLINE_MPIEXEC=${mpiexec};PYTHONPATH=${support};OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;HWLOC_HIDE_ERRORS=2;${arg_ENVIRONMENT}")
+    "MUDLINE=$<TARGET_FILE:mudline>;MUDLINE_MPIEXEC=${mpiexec};PYTHONPATH=${support};OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;HWLOC_HIDE_ERRORS=2;OMPI_MCA_mpi_yield_when_idle=1;${arg_ENVIRONMENT}")
 endfunction()

@@ -116,7 +116,9 @@ NO_PLUGIN = 'extern "C" int something_else() { return 1; }\n'
 
 
 def call(*command):
-    done = subprocess.run(command, capture_output=True, text=True, timeout=600)
+    # the folder has another name each time: a compiler cache looks at names from there
+    environment = dict(os.environ, CCACHE_BASEDIR=SCRATCH, CCACHE_NOHASHDIR="1")
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, env=environment)
     if done.returncode != 0:
         raise RuntimeError(" ".join(command) + "\n" + done.stdout[-2000:] + done.stderr[-4000:])
 
@@ -136,6 +138,20 @@ def build_plugin(name, code):
         file.write(f"cmake_minimum_required(VERSION 3.22)\nproject({name} CXX)\nfind_package(mudline REQUIRED)\nmudline_add_plugin({name} {name}.cpp)\n")
     with open(os.path.join(source, name + ".cpp"), "w") as file:
         file.write(code)
+    build(source)
+    return source
+
+
+def changed_plugin(name, old, new):
+    """A copy of an example, built with one change of its source; returns the folder."""
+    source = os.path.join(SCRATCH, name + "_changed")
+    shutil.copytree(os.path.join(SCRATCH, name), source, ignore=shutil.ignore_patterns("build"))
+    path = os.path.join(source, name + ".cpp")
+    text = text_of(path)
+    if old not in text:
+        raise ValueError(f"{path} has no '{old}'")
+    with open(path, "w") as file:
+        file.write(text.replace(old, new))
     build(source)
     return source
 
@@ -232,10 +248,7 @@ class Plugins(MudlineCase):
         good = program(["point", "--conformance", self.example("my_interface/pull.xml")], folder=self.folder)
         self.assertEqual(good.returncode, 0, good.stdout + good.stderr)
         self.assertIn("face: friction slopes ok", good.stdout)
-        source = os.path.join(self.folder, "slip")
-        shutil.copytree(self.example("my_interface"), source, ignore=shutil.ignore_patterns("build"))
-        self.write("slip/my_interface.cpp", text_of(source + "/my_interface.cpp").replace("at.normal, coefficient}", "at.normal, 0}"))
-        build(source)
+        source = changed_plugin("my_interface", "at.normal, coefficient}", "at.normal, 0}")
         said = "d strength / d normal is 0, differences give 0."
         bad = program(["point", "--conformance", source + "/pull.xml"], folder=self.folder)
         self.assertEqual(bad.returncode, 1, bad.stdout + bad.stderr)
@@ -271,10 +284,7 @@ class Plugins(MudlineCase):
 
     def test_a_law_that_does_not_conform(self):
         """A slip in the tangent is found, named and makes the exit code 1."""
-        source = os.path.join(self.folder, "slip")
-        shutil.copytree(self.example("my_clay"), source, ignore=shutil.ignore_patterns("build"))
-        self.write("slip/my_clay.cpp", text_of(source + "/my_clay.cpp").replace("two_g : 0.5 * two_g", "two_g : two_g"))
-        build(source)
+        source = changed_plugin("my_clay", "two_g : 0.5 * two_g", "two_g : two_g")
         done = program(["point", source + "/laboratory.xml", "--conformance"], folder=self.folder)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertEqual(done.stdout.count("FAILED"), 1, done.stdout)
