@@ -480,7 +480,7 @@ class Stopping(RestartCase):
         places = []
         for ranks in (1, 2):
             deck = [ANCHOR, *settings(f"output/name=fails{ranks}")]
-            self.runs(*deck, "--steps", "60", ranks=ranks)
+            self.runs(*deck, "--steps", "30", ranks=ranks)  # in the impact
             impatient = settings("solver/newton/maximum iterations=1", "solver/newton/damped retry=false",
                                  "stages/fall/time step/minimum=1e-3")
             done = self.mudline(*deck, "--restart", *impatient, ranks=ranks)

@@ -61,12 +61,12 @@ class BodyInSpace(MudlineCase):
 class Tops(BodyInSpace):
     @problem("exact", "energy and angular momentum are kept")
     def test_torque_free(self):
-        """100 turns about the axis of the smallest, the intermediate and the largest moment of inertia, with the default tolerances:
-        energy and angular momentum stay, and about the intermediate axis the body tumbles (Dzhanibekov)."""
-        for axis in range(3):
+        """100 turns about the axis of the intermediate moment of inertia, 30 about those of the smallest and the largest, with the
+        default tolerances: energy and angular momentum stay, and about the intermediate axis the body tumbles (Dzhanibekov)."""
+        for axis, turns in enumerate((30, 100, 30)):
             spin = np.full(3, 0.01)
             spin[axis] = 1.0
-            history = self.turn(motion(initial_spin=numbers(spin)), 0.25, 100 * 2 * math.pi)
+            history = self.turn(motion(initial_spin=numbers(spin)), 0.25, turns * 2 * math.pi)
             momentum = self.vectors(history, "angular momentum")
             self.compare("angular momentum", np.abs(momentum - INERTIA * spin).max() / np.linalg.norm(INERTIA * spin),
                          1e-6)

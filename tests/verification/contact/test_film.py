@@ -38,7 +38,7 @@ class PulledOff(ContactCase):
         stages["pull"] = {"type": "quasi-static", "duration": duration * time,
                           "motions": {"plate": {"type": "prescribed velocity", "velocity y": velocity}},
                           "integrator": {"type": "theta", "theta": 0.5, "start-up steps": 8},
-                          "time step": {"initial": 1e-5 * time, "growth": 1.1, "maximum": 0.01 * time}}
+                          "time step": {"initial": 1e-5 * time, "growth": 1.1, "maximum": 0.02 * time}}
         history = self.run_deck(self.write("pull.xml", deck_text("pull", {
             "mesh": {"type": "box", "cell": "quad9", "cells": [1, 40], "upper": [WIDTH, HEIGHT],
                      "grading": [1.0, 8.0]},

@@ -138,7 +138,7 @@ class Revolved(SpaceCase):
         if space:
             conditions.update({side: {"type": "fixed", "set": side, "components": axis} for side, axis in (("start", "y"), ("end", "x"))})
         motion = {"type": "prescribed displacement", up: "-0.01*t"}
-        result = deck("ball", mesh, conditions, {"press": quasi_static(1, 0.1, maximum=0.1)}, material=ground,
+        result = deck("ball", mesh, conditions, {"press": quasi_static(1, 0.2, maximum=0.2)}, material=ground,
                       bodies={"ball": {"position": [0.0] * (3 if space else 2), **body, "motion": motion}},
                       contacts={"face": {"type": "penalty", "body": "ball", "surface": "top",
                                          "friction": {"type": "coulomb", "coefficient": 0.3}}})

@@ -52,7 +52,8 @@ class Cylinder(CavityCase):
     def test_pressures_and_stresses(self):
         """Isotropic from OCR 1 to 5, and a cavity along the larger initial stress."""
         for vertical, ocr in ((100.0, 1.0), (100.0, 2.0), (100.0, 5.0), (160.0, 1.2)):
-            start = [START + f"effective stress yy={vertical * KPA}", START + f"overconsolidation ratio={ocr}"]
+            start = [START + f"effective stress yy={vertical * KPA}", START + f"overconsolidation ratio={ocr}",
+                     "stages/expansion/time step/initial=0.01"]
             what = f"sigma'_v {vertical:g}, R {ocr:g}"
             law = clay((100.0, 100.0, vertical), ocr)
             history = self.run_deck(self.deck("cavity_expansion", "clay_cylinder"), start)
