@@ -9,7 +9,7 @@ import fault
 from mudline_case import deck_text
 
 TITLE = "files from others with commands for the system, as mesh, contour, included file or options, plain and hidden; and harmless ones"
-SAMPLE = 40
+SAMPLE = 18  # every command and every way once, and some more
 
 WITNESS = "witness"
 SQUARE = """h = 0.5;
@@ -114,13 +114,13 @@ def judged(name, folder, place, text, more, harmless):
 def run(count, seed, folder):
     rng = random.Random(seed)
     places = itertools.cycle(PLACES)
-    faults = []
-    for (command, line), way in itertools.product(COMMANDS.items(), WAYS):
+    once, faults = [], []  # the former have every command and every way once
+    for (i, (command, line)), (k, way) in itertools.product(enumerate(COMMANDS.items()), enumerate(WAYS)):
         place = next(places)
         text, more = WAYS[way](line)
-        faults.append((f"{command}, {way} ({place})", place, text, more, False))
+        (once if i == k else faults).append((f"{command}, {way} ({place})", place, text, more, False))
     for text in HARMLESS:
         for place in ("mesh, at its end", "contour"):
             faults.append((f"harmless: {text} ({place})", place, text, {"part.geo": "x = 1;\n"}, True))
-    for name, *what in rng.sample(faults, min(count, len(faults))):
+    for name, *what in once[:count] + rng.sample(faults, max(0, min(count - len(once), len(faults)))):
         yield judged(name, folder / "here", *what)

@@ -124,7 +124,7 @@ class Hertz(PairCase):
         modulus = YOUNG / (1 - POISSON**2) / 2
         load = 4 / 3 * modulus * self.APPROACH**1.5
         a, shear = np.sqrt(self.APPROACH), YOUNG / (2 * (1 + POISSON))
-        size, cells = 10 * a, 7
+        size, cells = 10 * a, 8
 
         def graded(x):
             growth = 20 ** (1 / (cells - 1))
