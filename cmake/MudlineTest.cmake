@@ -9,14 +9,12 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 include(MudlineLauncher)
 mudline_launcher(mudline_mpiexec ${MPIEXEC_EXECUTABLE})
 
-# Ranks that wait give their core away (OpenMPI's mpi_yield_when_idle): tests side by side have more ranks than cores, and
-# ranks that spin there took three quarters of such a test's CPU time.
-
 # mudline_test(NAME LABELS word... {SCRIPT file.py | COMMAND program} [argument...] [RANKS n]
 #              [ENVIRONMENT name=value...])
 #
 # SCRIPT is a Python file of the calling folder. RANKS: processors that it takes; for tests that are a run of so
-# many ranks and little else. Tests that mostly start runs of one rank take one.
+# many ranks and little else. Tests that mostly start runs of one rank take one. Ranks that wait give their core away
+# (OpenMPI's mpi_yield_when_idle): on a busy machine ranks that spin take four times the CPU time.
 #
 # tests/support/cpu_limit.py ends what never would: a test that runs away, after `cpu` seconds on processors of all that
 # it starts, and one that hangs, by the clock. The limit is one for all and some five times what the dearest test takes

@@ -185,7 +185,7 @@ class Ranks(RestartCase):
             self.check([BLOCKS, *laws, slide, *calm], "blocks", 3, ((1, 3), (2, 1)), ("gap", "penetration", "stretch"))
 
     def test_free_body(self):
-        self.check([ANCHOR], "anchor", 30, ((2, 1), (1, 2)))
+        self.check([ANCHOR, *settings("stages/pull-out/duration=10")], "anchor", 30, ((2, 1), (1, 2)))
 
 
 class Files(RestartCase):
