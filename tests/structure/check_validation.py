@@ -8,6 +8,7 @@ that the page lacks, a row of a test that is gone, and a row whose command names
 """
 import ast
 import collections
+import functools
 import pathlib
 import re
 import subprocess
@@ -16,14 +17,23 @@ import sys
 ROW = re.compile(r"^(\| \[[^\]]+\]\(\.\./tests/verification/[^)]+\) \|).*\| `([^`]+)` \|$", re.M)
 
 
+@functools.lru_cache(maxsize=None)
+def calls_of(path):
+    """{function: names that it calls as methods} of a file."""
+    found = collections.defaultdict(set)
+    for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(function, ast.FunctionDef):
+            found[function.name] |= {call.func.attr for call in ast.walk(function)
+                                     if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute)}
+    return found
+
+
 def comparing(comparisons, paths):
     """Names of the functions in these files that lead to one of the comparisons, also by other functions."""
     calls = collections.defaultdict(set)
     for path in paths:
-        for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(function, ast.FunctionDef):
-                calls[function.name] |= {call.func.attr for call in ast.walk(function)
-                                         if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute)}
+        for function, called in calls_of(path).items():
+            calls[function] |= called
     found = set(comparisons)
     while True:
         more = {name for name, called in calls.items() if called & found} - found
