@@ -19,8 +19,8 @@ FULL, SAMPLE = 2000, 200
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 AT_ONCE = 100  # decks per start of the program
 # what stands in these is named by the author
-COLLECTIONS = {"materials", "physics", "bodies", "boundary conditions", "contacts", "stages", "functions", "output/probes",
-               "output/observers", "tests"}
+COLLECTIONS = {"materials", "physics", "bodies", "boundary conditions", "contacts", "stages", "functions",
+               "output/probes", "output/observers", "tests"}
 FREE_WORDS = {"output/name", "output/folder"}
 TAG = re.compile(r'<(?P<end>/?)(?P<kind>ParameterList|Parameter)\b(?P<rest>[^>]*?)(?P<closed>/?)>')
 NAME = re.compile(r'\bname="([^"]*)"')

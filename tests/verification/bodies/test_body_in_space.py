@@ -61,8 +61,9 @@ class BodyInSpace(MudlineCase):
 class Tops(BodyInSpace):
     @problem("exact", "energy and angular momentum are kept")
     def test_torque_free(self):
-        """100 turns about the axis of the intermediate moment of inertia, 30 about those of the smallest and the largest, with the
-        default tolerances: energy and angular momentum stay, and about the intermediate axis the body tumbles (Dzhanibekov)."""
+        """100 turns about the axis of the intermediate moment of inertia, 30 about those of the smallest and the
+        largest, with the default tolerances: energy and angular momentum stay, and about the intermediate axis the body
+        tumbles (Dzhanibekov)."""
         for axis, turns in enumerate((30, 100, 30)):
             spin = np.full(3, 0.01)
             spin[axis] = 1.0

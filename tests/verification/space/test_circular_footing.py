@@ -1,7 +1,8 @@
-"""Rigid circular footings on Tresca clay, a quarter of each in ten-node tetrahedra, against slip-line theory: met from above.
+"""Rigid circular footings on Tresca clay, a quarter of each in ten-node tetrahedra, against slip-line theory: met from
+above.
 
-Three layers of elements around the axis give the factors of five to a thousandth. The deck's own solver, the default of
-models of this size, is that of the smooth footing; with the direct one, a third of the time, the others are solved.
+Three layers of elements around the axis give the smooth footing's factor of five to a thousandth. The solver is the
+default for models of this size there, and the direct one, which takes half the time, elsewhere.
 """
 import unittest
 

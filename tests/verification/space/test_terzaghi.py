@@ -52,7 +52,8 @@ class Terzaghi(SpaceCase):
         for axis, cell in (("z", "hex27"), ("y", "tet10"), ("x", "hex27")):
             with self.subTest(axis=axis, cell=cell):
                 history = self.run_text("terzaghi", along(axis, text), (
-                    "mesh/cell=" + cell, f"{STAGE}duration={column.time(0.5)}", f"{STAGE}time step/maximum={LONGEST}"))
+                    "mesh/cell=" + cell, f"{STAGE}duration={column.time(0.5)}",
+                    f"{STAGE}time step/maximum={LONGEST}"))
                 t = column.time(TIMES)
                 p, w = (CubicSpline(history.time, history[name])(t) for name in ("probe/base/pore pressure", f"probe/top/displacement {axis}"))
                 self.compare_values(f"{axis} {cell}: p base", p, np.array([column.pressure(1.0, T) for T in TIMES]),
