@@ -93,6 +93,17 @@ void refuse_ranks() {
     throw InputError("a material point cannot be shared: run `mudline point` on one rank");
 }
 
+/// The unused parameters of `section` that are not below its sublist `of_a_run`, which joins `idle` where it is given.
+std::vector<std::string> unused_beside(const Section& section, const std::string& of_a_run,
+                                       std::vector<std::string>& idle) {
+  const std::string path = section.section(of_a_run).path();
+  if (section.has_section(of_a_run)) idle.push_back(path);
+  std::vector<std::string> unused = section.unused();
+  const auto below = [&](const std::string& entry) { return entry.compare(0, path.size() + 1, path + "/") == 0; };
+  unused.erase(std::remove_if(unused.begin(), unused.end(), below), unused.end());
+  return unused;
+}
+
 std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name, bool want_tests) {
   auto d = std::make_unique<PointDeck>();
   d->deck = deck;
@@ -104,7 +115,7 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
   known.push_back("tests");
   d->root->allow_sections(known);
   load_plugins(d->root->section("plugins"), d->registries);
-  d->output = OutputSettings::read(d->root->section("output"), name, {});
+  d->output = OutputSettings::read(d->root->section("output"), name, d->root->section("bodies").section_names());
   read_soils(*d);
   if (want_tests && !d->root->has_section("tests"))
     d->root->fail("required section 'tests' is missing; see `mudline list test`");
@@ -114,7 +125,8 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
   if (branches) idle.emplace_back("branches");
   const std::vector<std::string> read{"variables", "functions", "materials", "tests", "output", "plugins"};
   for (const std::string& name : d->root->section_names()) {
-    const std::vector<std::string> unused = d->root->section(name).unused();
+    const std::vector<std::string> unused =
+        name == "output" ? unused_beside(d->root->section(name), "observers", idle) : d->root->section(name).unused();
     if (std::find(read.begin(), read.end(), name) == read.end())
       idle.push_back(name);
     else if (!unused.empty())

@@ -91,8 +91,10 @@ class PointTests(MudlineCase):
         tests = {"CU": {"type": "triaxial undrained", "axial strain": [0.1], "initial state": {"vertical effective stress": 2e4}}}
         text = point_deck({}, tests)
         overlay = self.write("tests.xml", '<ParameterList name="tests">' + text[text.index('<ParameterList name="tests">'):])
-        history = self.run_point([os.path.join(ROOT, "inputs", "penetration", "cone_indentation.xml"), overlay])["CU"]
-        self.assertEqual(history["void ratio"][0], 1.3)
+        for decks in (["penetration/cone_indentation"], ["cpt/clay"], ["cpt/clay", "cpt/short_cone"]):
+            paths = [os.path.join(ROOT, "inputs", deck + ".xml") for deck in decks]
+            history = self.run_point([*paths, overlay], name=os.path.basename(decks[-1]))["CU"]
+            self.assertEqual(history["void ratio"][0], 1.3)
 
     def test_drained_simple_shear_keeps_the_vertical_stress(self):
         shear = {"type": "simple shear", "drainage": "drained", "shear strain": [1.0, -0.5], "steps": 400,
