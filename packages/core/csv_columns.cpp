@@ -12,6 +12,8 @@ namespace mudline {
 
 namespace {
 
+const std::string byte_order_mark = "\xef\xbb\xbf";  // with which spreadsheets begin a file in UTF-8
+
 std::string trimmed(const std::string& text) {
   constexpr const char* blanks = " \t\r\"";
   const std::size_t first = text.find_first_not_of(blanks);
@@ -48,6 +50,8 @@ std::vector<std::vector<double>> csv_columns(const std::string& file, const std:
   char separator = ',';
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
+    if (number == 1 && line.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+      line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || trimmed(line)[0] == '#') continue;
     const auto fail = [&](const std::string& why) {
       throw InputError(file + ":" + std::to_string(number) + ": " + why);

@@ -1,7 +1,10 @@
 #include "core/function_types.hpp"
 
+#include <optional>
+
 #include "core/csv_columns.hpp"
 #include "core/text.hpp"
+#include "core/unit.hpp"
 
 namespace mudline {
 
@@ -52,9 +55,13 @@ class ProfileDefinition : public FunctionDefinition {
     p.add("values", values_, "of the use", any(),
           "Values at these depths, straight lines between them; constant above the first and below the last");
     p.file("file", file_, "CSV file whose first line names its columns, instead of depths and values");
-    p.add("depth column", depth_column_, "Name of the file's column of depths [m]");
+    p.add("depth column", depth_column_,
+          "Name of the file's column of depths [m]; another unit of length that the name ends with, such as [cm], "
+          "counts");
     p.add("value column", value_column_, "Name of the file's column of values");
-    p.add("factor", factor_, "-", any(), "Factor of all values, such as 1000 for a column in kPa");
+    p.add("factor", factor_, "-", any(),
+          "Factor of all values, such as 1000 for a column in kPa; a column whose name ends with such a unit, [kPa], "
+          "needs it");
     p.add("surface", surface_, "m", any(),
           "Height of the surface from which depths are counted, down the last coordinate");
   }
@@ -67,7 +74,10 @@ class ProfileDefinition : public FunctionDefinition {
       if (given && file_.empty()) section.fail("without 'file' there are no columns", column);
       if (!given && !file_.empty()) section.fail("a file needs a '" + column + "'", "file");
     }
-    if (!file_.empty()) read_file(section);
+    if (!file_.empty()) {
+      read_file(section);
+      convert_depths(section);
+    }
     if (depths_.size() != values_.size() || depths_.empty())
       section.fail(std::to_string(depths_.size()) + " depths and " + std::to_string(values_.size()) +
                        " values; as many of each are needed, at least one",
@@ -77,6 +87,7 @@ class ProfileDefinition : public FunctionDefinition {
         section.fail(
             "depths must increase strictly: " + number_text(depths_[i]) + " after " + number_text(depths_[i - 1]),
             file_.empty() ? "depths" : "file");
+    if (!file_.empty()) check_factor(section);
     for (double& value : values_) value *= factor_;
   }
   Function make() const override {
@@ -93,6 +104,32 @@ class ProfileDefinition : public FunctionDefinition {
     } catch (const InputError& error) {
       section.fail(error.what(), "file");
     }
+  }
+
+  /// Depths in the unit that their column's name ends with; InputError where it is none of length.
+  void convert_depths(const Section& section) {
+    const auto unit = unit_of(depth_column_);
+    if (!unit) return;
+    try {
+      for (double& depth : depths_) depth = number_in("m", {depth, *unit, depth_column_});
+    } catch (const InputError& error) {
+      section.fail(error.what(), "depth column");
+    }
+  }
+
+  /// InputError where the column's name ends with a unit that is not the program's own, and no factor is given.
+  void check_factor(const Section& section) const {
+    const auto unit = unit_of(value_column_);
+    const double factor = unit ? ValueWithUnit{1, *unit, value_column_}.plain() : 1;
+    if (factor == 1 || section.has_parameter("factor")) return;
+    section.fail("'" + value_column_ + "' needs a 'factor', " + number_text(factor) + " by this unit", "value column");
+  }
+
+  /// The unit at the end of a column's name, as in "s_u [kPa]"; nothing where there is none that is known.
+  static std::optional<Unit> unit_of(const std::string& column) {
+    const std::size_t begin = column.rfind('[');
+    if (begin == std::string::npos || column.back() != ']') return std::nullopt;
+    return parse_unit(column.substr(begin + 1, column.size() - begin - 2));
   }
 
   std::vector<double> depths_, values_;

@@ -10,6 +10,7 @@
 #include "core/entry.hpp"
 #include "core/errors.hpp"
 #include "core/text.hpp"
+#include "core/time_dependence.hpp"
 #include "core/unit.hpp"
 #include "tensor/vec.hpp"
 
@@ -202,8 +203,7 @@ void Parameters::number(const std::string& name, double& member, const std::stri
         varying_ != nullptr && entry.isType<std::string>() && !parse_number(text) && unknown_unit(text).empty();
     if (!may_be_function) return convert(entry, range, member);
     const Function function = read_function(entry, section_->functions(), unit);
-    if (!function.steady())
-      throw Fault("'" + function.text() + "' depends on the time; this number may depend on the place only");
+    if (const std::string wrong = time_in(function); !wrong.empty()) throw Fault(wrong);
     if (!function.is_constant()) return varying_->push_back({name, unit, range, function, &member});
     check_range(function(0, {}), function.text(), range);
     member = function(0, {});

@@ -7,6 +7,7 @@
 
 #include "core/pi.hpp"
 #include "core/text.hpp"
+#include "core/time_dependence.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/earth_pressure.hpp"
@@ -89,14 +90,35 @@ void InitialState::check(const Section& section) const {
       if (name != "type" && name != "pore pressure" && name != "water level" && name != "overconsolidation ratio")
         section.fail("with 'type' = 'by law' the law gives the stress", name);
     }
+  for (const auto& [entry, function] : {std::pair{"K0", &k0_},
+                                        {"K0 friction angle [deg]", &k0_angle_},
+                                        {"overconsolidation ratio", &ocr_},
+                                        {"preoverburden pressure", &preoverburden_},
+                                        {"undrained strength", &strength_},
+                                        {"undrained strength ratio", &strength_ratio_}})
+    if (const std::string wrong = time_in(*function); !wrong.empty()) section.fail(wrong, entry);
   if (has_strength_ && kind_ == Kind::stress_free)
     section.fail("without stress there is no overconsolidation; give the strength in 'skeleton'", "undrained strength");
-  if (kind_ == Kind::geostatic) return;
-  if (has_k0_angle_) section.fail("only a geostatic start has a K0", "K0 friction angle [deg]");
-  if (has_preoverburden_)
-    section.fail("only a geostatic start has a vertical stress to add it to", "preoverburden pressure");
-  if (has_strength_ratio_)
-    section.fail("only a geostatic start has a vertical stress to multiply it with", "undrained strength ratio");
+  static const struct {
+    std::vector<const char*> entries;
+    std::vector<Kind> kinds;
+    const char* words;
+  } meanings[] = {
+      {{"effective stress xx", "effective stress yy", "effective stress zz", "shear stress yz", "shear stress xz",
+        "shear stress xy"},
+       {Kind::uniform},
+       "uniform"},
+      {{"pore pressure"}, {Kind::uniform, Kind::by_law}, "uniform or by law"},
+      {{"water level"}, {Kind::geostatic, Kind::by_law}, "geostatic or by law"},
+      {{"surcharge", "K0", "K0 friction angle [deg]", "preoverburden pressure", "undrained strength ratio"},
+       {Kind::geostatic},
+       "geostatic"},
+      {{"overconsolidation ratio"}, {Kind::uniform, Kind::geostatic, Kind::by_law}, "uniform, geostatic or by law"},
+  };
+  for (const auto& [entries, kinds, words] : meanings)
+    for (const char* entry : entries)
+      if (section.has_parameter(entry) && std::find(kinds.begin(), kinds.end(), kind_) == kinds.end())
+        section.fail("has a meaning only with 'type' = " + std::string(words), entry);
 }
 
 void InitialState::check_laws(const Soil& soil, const Section& section) const {
@@ -211,6 +233,9 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (kind_ == Kind::from_result) return;
   if (soil.excess && has_water_)
     section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
+  for (const char* entry : {"water level", "pore pressure"})
+    if (soil.pressure < 0 && section.has_parameter(entry))
+      section.fail("this physics has one phase and no pore pressure; 'biot' has one", entry);
   check_laws(soil, section);
   const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);
   if (kind_ == Kind::geostatic && g == 0)

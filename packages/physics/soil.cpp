@@ -9,6 +9,7 @@
 
 #include "core/guarded.hpp"
 #include "core/text.hpp"
+#include "core/time_dependence.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
@@ -44,6 +45,7 @@ void SoilMaterial::parameters(Parameters& p) {
   if (p.documenting() || p.deck().has_section("retention"))
     p.section("retention", retention, "water that the soil keeps under suction; without it the soil is saturated");
   if (p.documenting()) return;
+  if (const std::string wrong = time_in(top); !wrong.empty()) p.deck().fail(wrong, "top");
   if (retention.acts() && !p.deck().has_section("fluid"))
     p.deck().fail("there is no 'fluid' that the pores could keep", "retention");
   if (retention.acts() && (biot_coefficient != 1 || grain_bulk_modulus > 0))

@@ -78,7 +78,13 @@ std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIn
     section.fail("a stage with a strength reduction looks for equilibrium: its type must be 'quasi-static'; given '" +
                      section.text("type") + "'",
                  "type");
+  if (stage->type != Type::geostatic && section.has_parameter("balance tolerance"))
+    section.fail("only a geostatic stage finds a balance; given '" + section.text("type") + "'", "balance tolerance");
+  if (stage->type != Type::dynamic && section.has_parameter("initial rates"))
+    section.fail("only a dynamic stage starts with rates; given '" + section.text("type") + "'", "initial rates");
   if (stage->type == Type::geostatic) {
+    if (section.has_parameter("reset displacements") && !stage->reset_displacements)
+      section.fail("a geostatic stage always sets the displacements to zero", "reset displacements");
     stage->duration = 0;
     stage->reset_displacements = true;
     if (section.has_section("integrator")) section.fail("a geostatic stage has no integrator", "integrator");

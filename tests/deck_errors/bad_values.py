@@ -26,6 +26,43 @@ def with_film(name, entry, message, **where):
 GEOSTATIC = parameter("surcharge", "double", "20e3")
 
 
+START = whole("initial state")
+
+
+def start_of(kind, *entries):
+    """Another initial state, of that type with these entries alone."""
+    lines = "".join(parameter(*entry) + "\n" for entry in entries)
+    return (START, section("initial state") + "\n" + parameter("type", "string", kind) + "\n" + lines +
+            "</ParameterList>\n")
+
+
+def without_meaning(entry, kind, meaning, value="10e3", **where):
+    """An entry of the initial state that its type does not read."""
+    return Wrong(f"{entry} with {kind}", start_of(kind, (entry, "double", value)),
+                 f"physics/ground/initial state/{entry}: has a meaning only with 'type' = {meaning}",
+                 at=parameter(entry, "double", value), **where)
+
+
+def changing(name, change, entry, kind="string"):
+    """A number of the start that depends on the time."""
+    return Wrong(f"{name} that changes", change,
+                 f"{entry}: '1.5 + t' depends on the time; this number may depend on the place only",
+                 at=parameter(name, kind, "1.5 + t"))
+
+
+PROFILE = section("ratio") + "\n" + parameter("type", "string", "profile") + "\n" + \
+    parameter("file", "string", "sounding.csv") + "\n{}\n</ParameterList>\n"
+
+
+def with_sounding(name, depth, value, message, at, **where):
+    """The overconsolidation by two columns of a file."""
+    columns = parameter("depth column", "string", depth) + "\n" + parameter("value column", "string", value)
+    return Wrong(name, [(section("functions"), section("functions") + "\n" + PROFILE.format(columns)),
+                        (parameter("overconsolidation ratio", "double", "1.5"),
+                         parameter("overconsolidation ratio", "string", "ratio"))], message, at=at,
+                 files=(("sounding.csv", f"{depth},{value}\n0,1.5\n10,1.2\n"),), **where)
+
+
 def with_variables(name, variables, value, message, at, **where):
     """The deck with variables, and a surcharge that may name them."""
     entries = "".join(parameter(*entry) + "\n" for entry in variables)
@@ -367,9 +404,42 @@ DECKS = [
           "that the critical state line is no fixed distance away; give 'normal compression volume'"),
     Wrong("swelling above compression", ('value="0.04"', 'value="0.4"'),
           "materials/clay/skeleton/swelling slope: the swelling slope must be smaller than the compression slope"),
-    Wrong("clay without stress", (parameter("type", "string", "geostatic"), parameter("type", "string", "stress free")),
+    Wrong("clay without stress", start_of("stress free"),
           "physics/ground/initial state: material 'clay' cannot start at (0.0112702, 0.0112702): Modified Cam Clay needs a compressive "
           "initial stress; the mean effective stress here is -0 Pa", at=section("initial state")),
+    without_meaning("K0", "uniform", "geostatic", "0.6"),
+    without_meaning("surcharge", "uniform", "geostatic", ranks=BOTH),
+    without_meaning("water level", "uniform", "geostatic or by law"),
+    without_meaning("K0", "stress free", "geostatic", "0.6"),
+    without_meaning("overconsolidation ratio", "stress free", "uniform, geostatic or by law", "2"),
+    without_meaning("effective stress yy", "stress free", "uniform"),
+    without_meaning("effective stress yy", "geostatic", "uniform"),
+    without_meaning("pore pressure", "geostatic", "uniform or by law"),
+    changing("K0", (parameter("K0", "double", "0.6"), parameter("K0", "string", "1.5 + t")),
+             "physics/ground/initial state/K0"),
+    changing("overconsolidation ratio", (parameter("overconsolidation ratio", "double", "1.5"),
+                                         parameter("overconsolidation ratio", "string", "1.5 + t")),
+             "physics/ground/initial state/overconsolidation ratio"),
+    Wrong("a temperature of the start that changes",
+          [(whole("permeability"), whole("permeability") + HEAT), ('value="biot"', 'value="thermo-hydro-mechanical"'),
+           (section("ground"), section("ground") + parameter("initial temperature", "string", "20 + t"))],
+          "physics/ground/initial temperature: '20 + t' depends on the time; this number may depend on the place only",
+          at=parameter("initial temperature", "string", "20 + t")),
+    changing("top", (section("clay"), section("clay") + parameter("top", "string", "1.5 + t")), "materials/clay/top"),
+    with_sounding("a sounding in kPa", "depth [m]", "OCR [kPa]",
+                  "functions/ratio/value column: 'OCR [kPa]' needs a 'factor', 1000 by this unit",
+                  at=parameter("value column", "string", "OCR [kPa]"), ranks=BOTH),
+    with_sounding("depths in kPa", "depth [kPa]", "OCR [-]",
+                  "functions/ratio/depth column: 'depth [kPa]' is no value in m",
+                  at=parameter("depth column", "string", "depth [kPa]")),
+    Wrong("balance of a dynamic stage", (PUSHED, PUSHED + parameter("balance tolerance", "double", "1e-3")),
+          "stages/push/balance tolerance: only a geostatic stage finds a balance; given 'dynamic'"),
+    Wrong("rates of a geostatic stage", (parameter("balance tolerance", "double", "1e-6"),
+                                         parameter("initial rates", "string", "zero")),
+          "stages/geostatic/initial rates: only a dynamic stage starts with rates; given 'geostatic'"),
+    Wrong("a geostatic stage that keeps displacements", (parameter("balance tolerance", "double", "1e-6"),
+                                                         parameter("reset displacements", "bool", "false")),
+          "stages/geostatic/reset displacements: a geostatic stage always sets the displacements to zero"),
     Wrong("underconsolidated", ('value="1.5"', 'value="0.5"'),
           "physics/ground/initial state: material 'clay' cannot start at (0.0112702, 0.0112702): the overconsolidation ratio must be at "
           "least 1; it is 0.5", at=section("initial state")),

@@ -180,11 +180,21 @@ TEST(InitialState, ContradictionsAreNamed) {
                       number_parameter("preoverburden pressure", 1)),
       "give either this or 'overconsolidation ratio', not both");
   has(start(text_parameter("type", "uniform") + number_parameter("preoverburden pressure", 1)),
-      "only a geostatic start has a vertical stress to add it to");
+      "preoverburden pressure: has a meaning only with 'type' = geostatic");
   has(gravity + start(geostatic + number_parameter("K0 friction angle [deg]", 95)),
       "the K0 friction angle must be in [0, 90) degrees");
   has(gravity + text_parameter("pore pressure", "excess") + start(geostatic + number_parameter("water level", 1)),
       "its level has no effect");
+  for (const char* entry : {"K0", "surcharge", "water level"})
+    has(start(text_parameter("type", "uniform") + number_parameter(entry, 1)),
+        std::string(entry) + ": has a meaning only with 'type' = geostatic");
+  has(start(number_parameter("overconsolidation ratio", 2)),
+      "overconsolidation ratio: has a meaning only with 'type' = uniform, geostatic or by law");
+  for (const char* entry : {"effective stress yy", "pore pressure"})
+    has(gravity + start(geostatic + number_parameter(entry, 1)), std::string(entry) + ": has a meaning only with");
+  for (const char* entry : {"K0", "overconsolidation ratio", "preoverburden pressure", "undrained strength"})
+    has(gravity + start(geostatic + text_parameter(entry, "1 + t")),
+        std::string(entry) + ": '1 + t' depends on the time; this number may depend on the place only");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/time_dependence.hpp"
 #include "framework/medium.hpp"
 #include "physics/biot/darcy.hpp"
 
@@ -147,6 +148,7 @@ void ThermoHydroMechanical::parameters(Parameters& p) {
   p.choice("viscosity", viscosity, {{"constant", Viscosity::constant}, {"follows temperature", Viscosity::follows}},
            "of the pore water; it falls by 2 % per kelvin at 20 degC, and the conductivity grows with it");
   viscosity_follows_ = viscosity == Viscosity::follows;
+  if (const std::string wrong = time_in(initial_); !wrong.empty()) p.deck().fail(wrong, "initial temperature");
 }
 
 std::vector<Field> ThermoHydroMechanical::fields() const {

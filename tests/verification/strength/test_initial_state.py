@@ -309,6 +309,9 @@ class Profile(StrengthCase):
             "stages": {"rest": {"type": "geostatic"}, "wait": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}}
         return deck_text("column", {**({"functions": {"k0 profile": {"type": "profile", **profile}}} if profile else {}), **deck})
 
+    # as a spreadsheet writes it, with a byte order mark, and depths in centimetres
+    SHEET = "\ufeffz [cm],K0 [-]\r\n0,0.5\r\n1000,0.8\r\n"
+
     def test_three_ways(self):
         self.write("sounding.csv", self.CSV)
         found = []
@@ -320,6 +323,17 @@ class Profile(StrengthCase):
             exact = 1800 * 10 * (0.5 * 10 ** 2 / 2 + 0.03 * 10 ** 3 / 3)
             self.compare("reaction of the side", abs(found[-1] / exact - 1), 1e-9)
         self.compare("spread over the three ways", np.ptp(found) / found[0], 1e-9)
+
+    @problem("behaviour")
+    def test_sheet(self):
+        self.write("sheet.csv", self.SHEET)
+        sheet = {"file": "sheet.csv", "depth column": "z [cm]", "value column": "K0 [-]", "surface": 2.0}
+        lists = {"depths": [0.0, 10.0], "values": [0.5, 0.8], "surface": 2.0}
+        found = []
+        for profile in (sheet, lists):
+            deck = self.write("column.xml", self.column("k0 profile", profile))
+            found.append(self.run_deck(deck, extra=["--overwrite"])["reaction/left x"][-1])
+        self.assertEqual(found[0], found[1])
 
     @problem("behaviour")
     def test_refusals(self):
