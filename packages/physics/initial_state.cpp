@@ -233,9 +233,6 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (kind_ == Kind::from_result) return;
   if (soil.excess && has_water_)
     section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
-  for (const char* entry : {"water level", "pore pressure"})
-    if (soil.pressure < 0 && section.has_parameter(entry))
-      section.fail("this physics has one phase and no pore pressure; 'biot' has one", entry);
   check_laws(soil, section);
   const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);
   if (kind_ == Kind::geostatic && g == 0)
@@ -246,6 +243,9 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   const bool by_law_in_water = kind_ == Kind::by_law && has_water_;
   if (by_law_in_water && g == 0)
     section.fail("the pressure of water at rest needs gravity: give the physics a 'gravity'", "water level");
+  for (const char* entry : {"water level", "pore pressure"})
+    if (soil.pressure < 0 && section.has_parameter(entry))
+      section.fail("this physics has one phase and no pore pressure; 'biot' has one", entry);
   if (by_law_in_water) ground.emplace(soil, g, water_level_, section);
   if (ground) set_pressure(soil, store, [&](double y) { return ground->pore_pressure(y); });
   if (kind_ == Kind::uniform || (kind_ == Kind::by_law && !has_water_))
