@@ -12,11 +12,12 @@
 #include "framework/vector_scatter.hpp"
 #include "tensor/mat.hpp"
 
-// g++ completely unrolls a short loop before it tries to vectorise it, which prevents vectorisation.
+// g++ completely unrolls a short loop before it tries to vectorise it, which prevents vectorisation. With a number it
+// vectorises first and then takes so many vectors at a time.
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
-#define MUDLINE_KEEP_LOOP _Pragma("GCC unroll 1")
+#define MUDLINE_VECTOR_LOOP _Pragma("GCC unroll 4")
 #else
-#define MUDLINE_KEEP_LOOP
+#define MUDLINE_VECTOR_LOOP
 #endif
 
 namespace mudline {
@@ -259,10 +260,12 @@ struct ElementLoop {
         for (int a = 0; a < NU; ++a)
           for (int j = 0; j < D; ++j) {
             double sum = 0;
-            if constexpr (Law::motion) {
+            if constexpr (Law::motion && Law::shape) {
               for (int m = 0; m < D; ++m) sum += A[row][D * j + m] * s.g[a][m];
               if constexpr (Coordinates::hoop)
-                if (j == 0) sum += A[row][D * D] * s.h[a];
+                if (j == 0) sum += A[row][Index::hoop] * s.h[a];
+            } else if constexpr (Law::motion) {
+              sum += A[row][Index::motion] * (s.g[a][j] + (j == 0 ? s.h[a] : 0.0));
             }
             if constexpr (Law::inertia) sum += A[row][Index::inertia + j] * s.N[a];
             *y++ = sum;
@@ -287,16 +290,16 @@ struct ElementLoop {
     using Row = Rows<Law>;
     constexpr int width = Columns<Law>::count;
     if constexpr (Law::forces || Law::stresses)
-      for (int a = 0; a < NU; ++a)
-        for (int i = 0; i < D; ++i) {
-          const double h = i == 0 ? s.h[a] : 0.0;
-          MUDLINE_KEEP_LOOP
+      for (int i = 0; i < D; ++i)
+        for (int a = 0; a < NU; ++a) {
+          MUDLINE_VECTOR_LOOP
           for (int c = 0; c < width; ++c) {
             double sum = ku[D * a + i][c];
             if constexpr (Law::forces) sum += s.N[a] * Y[Row::force + i][c];
             if constexpr (Law::stresses) {
               for (int l = 0; l < D; ++l) sum += s.g[a][l] * Y[Row::stress + D * i + l][c];
-              if constexpr (Coordinates::hoop) sum += h * Y[Row::hoop][c];
+              if constexpr (Coordinates::hoop)
+                if (i == 0) sum += s.h[a] * Y[Row::hoop][c];
             }
             ku[D * a + i][c] = sum;
           }
@@ -304,7 +307,7 @@ struct ElementLoop {
     if constexpr (Law::storages || Law::fluxes)
       for (int k = 0; k < S; ++k)
         for (int r = 0; r < NS; ++r) {
-          MUDLINE_KEEP_LOOP
+          MUDLINE_VECTOR_LOOP
           for (int c = 0; c < width; ++c) {
             double sum = kp[NS * k + r][c];
             if constexpr (Law::storages) sum += s.Np[r] * Y[Row::storage + k][c];

@@ -27,7 +27,7 @@ struct Medium {
 template <class M>
 struct StoredLaw : PointLaw {
   static constexpr int fields = M::scalars;
-  static constexpr bool storages = true, rates = false, cancels = M::cancels;
+  static constexpr bool storages = true, rates = false, shape = false, cancels = M::cancels;
   M medium;
 
   template <class C, int S, class T>

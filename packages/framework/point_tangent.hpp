@@ -39,7 +39,8 @@ struct PointTangent {
       d.change[k] = f.change[k];
       for (int j = 0; j < D; ++j) d.gradient[k][j] = f.gradient[k][j];
     }
-    if constexpr (Law::motion) {
+    if constexpr (Law::motion && !Law::shape) d.volume_ratio.d[Index::motion] = w * f.volume_ratio;
+    if constexpr (Law::motion && Law::shape) {
       // a displacement gradient at the level rotates and stretches the frame of the spatial gradients
       for (int j = 0; j < D; ++j)
         for (int m = 0; m < D; ++m) {
@@ -78,7 +79,7 @@ struct PointTangent {
       const double w = at.geometry_weight;
       for (int j = 0; j < D; ++j)
         for (int m = 0; m < D; ++m) {
-          const int index = D * j + m;
+          [[maybe_unused]] const int index = D * j + m;
           if constexpr (Law::stresses)
             for (int i = 0; i < D; ++i) out.stress[i][j].d[index] -= w * out.stress[i][m].v;
           if constexpr (Law::fluxes)
@@ -86,8 +87,9 @@ struct PointTangent {
         }
       if constexpr (C::hoop && Law::stresses) out.hoop_stress.d[D * D] -= w * out.hoop_stress.v;
       const auto grow = [&](T& x) {
-        for (int j = 0; j < D; ++j) x.d[D * j + j] += w * x.v;
-        if constexpr (C::hoop) x.d[D * D] += w * x.v;
+        if constexpr (Law::shape)
+          for (int j = 0; j < D; ++j) x.d[D * j + j] += w * x.v;
+        if constexpr (C::hoop || !Law::shape) x.d[Index::hoop] += w * x.v;
       };
       for (int i = 0; i < D; ++i) {
         if constexpr (Law::forces) grow(out.force[i]);

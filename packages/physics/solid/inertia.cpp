@@ -8,7 +8,7 @@ namespace mudline {
 namespace {
 
 struct InertiaForce : PointLaw {
-  static constexpr bool forces = true, inertia = true;
+  static constexpr bool forces = true, inertia = true, shape = false;
   BulkDensity density;
 
   template <class C, int S, class T>

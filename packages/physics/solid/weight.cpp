@@ -8,7 +8,7 @@ namespace mudline {
 namespace {
 
 struct Weight : PointLaw {
-  static constexpr bool forces = true, rates = false;
+  static constexpr bool forces = true, rates = false, shape = false;
   BulkDensity density;
   Point gravity, gravity_old;  // [m/s2] at the level, and at the start of the step
 
