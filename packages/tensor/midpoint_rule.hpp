@@ -26,6 +26,11 @@ struct MidpointRule {
   static constexpr int components = Dim == 3 ? 6 : 4;  // number of strain components that are not always 0
   /// Index of component k among the six.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int place(int k) { return Dim == 2 && k == 3 ? 5 : k; }
+  /// Component of the tensor component (i, j).
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int number(int i, int j) { return Dim == 2 && i != j ? 3 : six(i, j); }
+  /// Further displacements: way Dim j + m has the gradient d(u_j)/d(x_m) = 1 in the configuration of the end, and way
+  /// Dim Dim in the plane has u_r / r = 1. Rows have an even number of columns, for pairs in vector instructions.
+  static constexpr int ways = Dim * Dim + (Dim == 2 ? 1 : 0), width = ways + ways % 2;
 
   Mat<double, Dim> gradient;
   double hoop_gradient;  // H
@@ -83,21 +88,39 @@ struct MidpointRule {
     }
   }
 
-  /// Change of the increment for a further displacement with the gradient d(u_j)/d(x_m) = 1 in the configuration of the
-  /// end, without the part due to the rotation of its own axes: six numbers with engineering shear, the input of an
-  /// isotropic tangent. `turn`: the rotation [-] of that displacement.
-  KOKKOS_FORCEINLINE_FUNCTION void variation(int j, int m, double* e, double (&turn)[spins]) const {
-    // dH = (1 - H/2) G (1 + H/2), exactly: the midpoint moves with half the displacement
-    Mat<double, Dim> dH;
+  /// Changes of the increment for the further displacements, without the part due to the rotation of its own axes:
+  /// (component k of place(k), with engineering shear; way), the input of an isotropic tangent. `turn`: their
+  /// rotations [-], (spin, way). The last column means nothing where `width` is more than `ways`.
+  KOKKOS_FORCEINLINE_FUNCTION void variations(double (&e)[components][width], double (&turn)[spins][width]) const {
+    double d[tensors][width], across[width] = {}, dw[spins][width], shift[width];
+    vary_gradient(d, dw);
+    if constexpr (Dim == 2) across[Dim * Dim] = (1 - 0.5 * hoop_gradient) * (1 + 0.5 * hoop_gradient);
+    for (int way = 0; way < width; ++way) {
+      const double volume = way % (Dim + 1) == 0 && way < Dim * Dim ? 1.0 : way == Dim * Dim && Dim == 2 ? 1.0 : 0.0;
+      double trace = across[way];
+      for (int i = 0; i < Dim; ++i) trace += d[i][way];
+      shift[way] = (volume - trace) / 3;
+    }
     for (int i = 0; i < Dim; ++i)
-      for (int l = 0; l < Dim; ++l)
-        dH[i][l] = ((i == j ? 1.0 : 0.0) - 0.5 * gradient[i][j]) * ((m == l ? 1.0 : 0.0) + 0.5 * gradient[m][l]);
-    vary(dH, 0.0, j == m ? 1.0 : 0.0, e, turn);
-  }
-  /// Change of the increment and rotation for a further displacement with u_r / r = 1.
-  KOKKOS_FORCEINLINE_FUNCTION void hoop_variation(double* e, double (&turn)[spins]) const {
-    const Mat<double, Dim> dH = {};
-    vary(dH, (1 - 0.5 * hoop_gradient) * (1 + 0.5 * hoop_gradient), 1.0, e, turn);
+      for (int way = 0; way < width; ++way) d[i][way] += shift[way];
+    // linear in the change d of the strain in the axes of the midpoint, and in the change dw of the spin
+    double by_strain[tensors][tensors], by_spin[tensors][spins], turn_by_spin[spins][spins];
+    find_half_rotation(by_strain);
+    find_spin_rates(turn_by_spin, by_spin);
+    for (int t = 0; t < tensors; ++t)
+      for (int way = 0; way < width; ++way) {
+        double sum = by_spin[t][0] * dw[0][way];
+        for (int k = 1; k < spins; ++k) sum += by_spin[t][k] * dw[k][way];
+        for (int b = 0; b < tensors; ++b) sum += by_strain[t][b] * d[b][way];
+        e[number(row(t), column(t))][way] = row(t) == column(t) ? sum : 2 * sum;
+      }
+    if constexpr (Dim == 2)
+      for (int way = 0; way < width; ++way) e[2][way] = across[way] + shift[way];
+    for (int k = 0; k < spins; ++k)
+      for (int way = 0; way < width; ++way) {
+        turn[k][way] = turn_by_spin[k][0] * dw[0][way];
+        for (int l = 1; l < spins; ++l) turn[k][way] += turn_by_spin[k][l] * dw[l][way];
+      }
   }
 
   /// W s - s W of a symmetric tensor of six stress-like components, W the skew tensor of a spin.
@@ -112,6 +135,11 @@ struct MidpointRule {
   }
 
  private:
+  /// Symmetric tensors without the component out of the plane: component t is (row(t), column(t)).
+  static constexpr int tensors = Dim * (Dim + 1) / 2;
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int row(int t) { return t < Dim ? t : t == 3 ? 1 : 0; }
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int column(int t) { return t < Dim ? t : Dim == 3 && t < 5 ? 2 : 1; }
+
   KOKKOS_FORCEINLINE_FUNCTION static void axial(const Mat<double, Dim>& a, double (&w)[spins]) {
     if constexpr (Dim == 3) {
       w[0] = 0.5 * (a[2][1] - a[1][2]);
@@ -186,36 +214,60 @@ struct MidpointRule {
       for (int j = i + 1; j < Dim; ++j) out[six(i, j)] = e[i][j] + e[j][i];
     }
   }
-  KOKKOS_FORCEINLINE_FUNCTION void vary(const Mat<double, Dim>& dH, double dhoop, double volume, double* e,
-                                        double (&turn)[spins]) const {
-    Mat<double, Dim> d;
-    double dw[spins];
+  /// Changes of sym H and of its spin for the further displacements.
+  KOKKOS_FORCEINLINE_FUNCTION void vary_gradient(double (&d)[tensors][width], double (&dw)[spins][width]) const {
+    // dH = (1 - H/2) G (1 + H/2), exactly: the midpoint moves with half the displacement
+    double dH[Dim][Dim][width] = {};
     for (int i = 0; i < Dim; ++i)
-      for (int j = 0; j < Dim; ++j) d[i][j] = 0.5 * (dH[i][j] + dH[j][i]);
-    set_volume(d, dhoop, volume);
-    rotate_half(d);
-    axial(dH, dw);
+      for (int l = 0; l < Dim; ++l)
+        for (int j = 0; j < Dim; ++j)
+          for (int m = 0; m < Dim; ++m)
+            dH[i][l][Dim * j + m] =
+                ((i == j ? 1.0 : 0.0) - 0.5 * gradient[i][j]) * ((m == l ? 1.0 : 0.0) + 0.5 * gradient[m][l]);
+    for (int t = 0; t < tensors; ++t)
+      for (int way = 0; way < width; ++way) {
+        const double over = dH[row(t)][column(t)][way], under = dH[column(t)][row(t)][way];
+        d[t][way] = 0.5 * (over + under);
+      }
+    for (int k = 0; k < spins; ++k) {
+      const int i = Dim == 3 ? (k + 2) % 3 : 1, l = Dim == 3 ? (k + 1) % 3 : 0;
+      for (int way = 0; way < width; ++way) dw[k][way] = 0.5 * (dH[i][l][way] - dH[l][i][way]);
+    }
+  }
+  /// The matrix that rotates a symmetric tensor from the axes of the midpoint to those of the end.
+  KOKKOS_FORCEINLINE_FUNCTION void find_half_rotation(double (&matrix)[tensors][tensors]) const {
+    for (int t = 0; t < tensors; ++t)
+      for (int b = 0; b < tensors; ++b) {
+        matrix[t][b] = half[row(t)][row(b)] * half[column(t)][column(b)];
+        if (row(b) != column(b)) matrix[t][b] += half[row(t)][column(b)] * half[column(t)][row(b)];
+      }
+  }
+  /// Derivatives by the spin of the rotation, and of the strain, which the half rotation turns less than that.
+  KOKKOS_FORCEINLINE_FUNCTION void find_spin_rates(double (&turn)[spins][spins],
+                                                   double (&of_strain)[tensors][spins]) const {
     // spin of the rotation of the quaternion (s, v): 2 (s dv - ds v + v x dv) / (s^2 + v.v); of the half rotation too
-    double v[spins], square = 0, along = 0, cross[3] = {0, 0, 0};
+    double v[spins], square = 0;
     for (int k = 0; k < spins; ++k) {
       v[k] = 0.5 * spin[k];
       square += v[k] * v[k];
-      along += v[k] * 0.5 * dw[k];
     }
-    if constexpr (Dim == 3)
-      for (int k = 0; k < 3; ++k)
-        cross[k] = 0.5 * (v[(k + 1) % 3] * dw[(k + 2) % 3] - v[(k + 2) % 3] * dw[(k + 1) % 3]);
-    const double root = ::sqrt(1 + square), s = 1 + root, ds = along / root;
-    Mat<double, Dim> change;
-    double less[spins];
-    for (int k = 0; k < spins; ++k) {
-      turn[k] = 2 * (0.5 * dw[k] + cross[k]) / (1 + square);
-      less[k] = 2 * (s * 0.5 * dw[k] - ds * v[k] + cross[k]) / (s * s + square) - turn[k];
+    const double root = ::sqrt(1 + square), s = 1 + root;
+    const double whole = 2 / (1 + square), part = 2 / (s * s + square);
+    for (int l = 0; l < spins; ++l) {  // dv = 1/2 in direction l
+      const double ds = 0.5 * v[l] / root;
+      double less[spins];
+      Mat<double, Dim> change;
+      for (int k = 0; k < spins; ++k) {
+        const double dv = k == l ? 0.5 : 0.0;
+        double cross = 0;
+        if constexpr (Dim == 3)
+          if (k != l) cross = (l == (k + 2) % 3 ? 0.5 : -0.5) * v[3 - k - l];
+        turn[k][l] = whole * (dv + cross);
+        less[k] = part * (s * dv - ds * v[k] + cross) - turn[k][l];
+      }
+      commute(less, strain, change);
+      for (int t = 0; t < tensors; ++t) of_strain[t][l] = change[row(t)][column(t)];
     }
-    commute(less, strain, change);
-    for (int i = 0; i < Dim; ++i)
-      for (int j = 0; j < Dim; ++j) d[i][j] += change[i][j];
-    to_six(d, dhoop, e);
   }
 };
 

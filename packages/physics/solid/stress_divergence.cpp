@@ -62,41 +62,42 @@ struct TotalStress : PointLaw {
 
   /// d sigma' = D (de - [W, e]) + [W, sigma'] for a further displacement with strain de and rotation W.
   template <class C, int S, class T>
-  KOKKOS_INLINE_FUNCTION void derivatives(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    constexpr int D = C::dim;
-    using Rule = MidpointRule<D>;
+  KOKKOS_FORCEINLINE_FUNCTION void derivatives(int row, const PointFields<C, S, T>& at,
+                                               PointBalance<C, S, T>& out) const {
+    using Rule = MidpointRule<C::dim>;
+    constexpr int N = Rule::components, motions = LawDirections<C, S, TotalStress>::motions;
     Rule motion;
     find_motion(at, motion);
-    const double* stiffness = &tangent(row - first_row, 0);
-    const auto put = [&](int way, const double* e, const double(&turn)[Rule::spins]) {
-      double turned[6], by[6];
-      Rule::stress_rotation_rate(turn, &stress(row, 0), turned);
-      for (int a = 0; a < Rule::components; ++a) {
-        const int k = Rule::place(a);
-        by[k] = turned[k];
-        for (int b = 0; b < Rule::components; ++b) by[k] += stiffness[6 * k + Rule::place(b)] * e[Rule::place(b)];
-      }
-      for (int i = 0; i < C::dim; ++i)
-        for (int j = 0; j < C::dim; ++j) out.stress[i][j].d[way] = by[six(i, j)];
-      out.hoop_stress.d[way] = by[2];
-    };
-    double e[6], turn[Rule::spins];
-    for (int j = 0; j < C::dim; ++j)
-      for (int m = 0; m < D; ++m) {
-        motion.variation(j, m, e, turn);
-        put(D * j + m, e, turn);
-      }
-    if constexpr (C::hoop) {
-      motion.hoop_variation(e, turn);
-      put(D * D, e, turn);
+    double e[N][Rule::width], turn[Rule::spins][Rule::width], turned[Rule::spins][6], by[N][Rule::width];
+    motion.variations(e, turn);
+    for (int k = 0; k < Rule::spins; ++k) {
+      double unit[Rule::spins] = {};
+      unit[k] = 1;
+      Rule::stress_rotation_rate(unit, &stress(row, 0), turned[k]);
     }
+    const double* stiffness = &tangent(row - first_row, 0);
+    for (int a = 0; a < N; ++a)
+      for (int way = 0; way < Rule::width; ++way) {
+        double sum = turned[0][Rule::place(a)] * turn[0][way];
+        for (int k = 1; k < Rule::spins; ++k) sum += turned[k][Rule::place(a)] * turn[k][way];
+        for (int b = 0; b < N; ++b) sum += stiffness[6 * Rule::place(a) + Rule::place(b)] * e[b][way];
+        by[a][way] = sum;
+      }
+    for (int i = 0; i < C::dim; ++i)
+      for (int j = 0; j < C::dim; ++j)
+        for (int way = 0; way < motions; ++way) out.stress[i][j].d[way] = by[Rule::number(i, j)][way];
+    for (int way = 0; way < motions; ++way) out.hoop_stress.d[way] = by[2][way];
     if constexpr (S > 0) {
       const Mixture& here = mixtures(row);
       if (here.temperature < 0) return;
-      const double expansion = here.grain_expansion;  // thermal expansion of the skeleton [1/K]
-      const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
-      for (double& t : turn) t = 0;
-      put(LawDirections<C, S, TotalStress>::value + here.temperature, warmer, turn);
+      const double strain = -here.grain_expansion / 3;  // of the law in warmer soil [1/K]
+      const int way = LawDirections<C, S, TotalStress>::value + here.temperature;
+      const auto warmed = [&](int c) {
+        return strain * (stiffness[6 * c] + stiffness[6 * c + 1] + stiffness[6 * c + 2]);
+      };
+      for (int i = 0; i < C::dim; ++i)
+        for (int j = 0; j < C::dim; ++j) out.stress[i][j].d[way] = warmed(six(i, j));
+      out.hoop_stress.d[way] = warmed(2);
     }
   }
 };

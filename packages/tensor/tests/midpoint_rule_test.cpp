@@ -105,15 +105,15 @@ TEST(MidpointRule, PlaneIsSpaceThatStandsStillAcross) {
     EXPECT_NEAR(a[c], b[c], 1e-15);
     EXPECT_NEAR(turned[c], turned_in_space[c], 1e-14);
   }
-  double turn[1], turn_in_space[3];
-  for (int j = 0; j < 3; ++j) {
-    if (j < 2)
-      plane.variation(j, 1 - j, a, turn);
-    else
-      plane.hoop_variation(a, turn);
-    space.variation(j, j < 2 ? 1 - j : 2, b, turn_in_space);
-    for (int c = 0; c < 6; ++c) EXPECT_NEAR(a[c], b[c], 1e-15) << j;
-    EXPECT_NEAR(turn[0], turn_in_space[2], 1e-15);
+  double e[4][MidpointRule<2>::width], turn[1][MidpointRule<2>::width];
+  double e_in_space[6][MidpointRule<3>::width], turn_in_space[3][MidpointRule<3>::width];
+  plane.variations(e, turn);
+  space.variations(e_in_space, turn_in_space);
+  for (int way = 0; way < MidpointRule<2>::ways; ++way) {
+    const int in_space = way < 4 ? 3 * (way / 2) + way % 2 : 8;
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(e[k][way], e_in_space[MidpointRule<2>::place(k)][in_space], 1e-15) << way;
+    for (int c : {3, 4}) EXPECT_NEAR(e_in_space[c][in_space], 0, 1e-15);
+    EXPECT_NEAR(turn[0][way], turn_in_space[2][in_space], 1e-15);
   }
 }
 
@@ -122,13 +122,16 @@ TEST(MidpointRule, VariationsAgreeWithDifferences) {
   const Mat<double, 3> F = rotation({0.2, 0.9, -0.4}, 0.6) * stretch;
   const MidpointRule<3> rule = rule_of(F);
   const double h = 1e-6;
+  double of_strain[6][MidpointRule<3>::width], turns[3][MidpointRule<3>::width];
+  rule.variations(of_strain, turns);
   for (int j = 0; j < 3; ++j)
     for (int m = 0; m < 3; ++m) {
       Mat<double, 3> G{};
       G[j][m] = 1;
       const MidpointRule<3> after = rule_of(unit_plus(G, h) * F), before = rule_of(unit_plus(G, -h) * F);
       double e[6], turn[3], ahead[6], behind[6], turned[6];
-      rule.variation(j, m, e, turn);
+      for (int c = 0; c < 6; ++c) e[c] = of_strain[c][3 * j + m];
+      for (int k = 0; k < 3; ++k) turn[k] = turns[k][3 * j + m];
       after.increment(ahead);
       before.increment(behind);
       double tensor[6];
