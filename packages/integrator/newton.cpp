@@ -157,8 +157,9 @@ void NewtonOptions::parameters(Parameters& p) {
         "(Eisenstat and Walker); 0: always solved to 'linear tolerance'");
   p.choice(
       "first guess", first_guess, {{"committed", FirstGuess::committed}, {"extrapolated", FirstGuess::extrapolated}},
-      "of a step: the state it starts from; extrapolated: moved on with the rates of that state where that leaves less "
-      "out of balance, because what moves goes on moving and soil that yields goes on yielding");
+      "of a step: the state it starts from; extrapolated: moved on with the rates of that state where that, or without "
+      "inertia one iteration from there, leaves less out of balance, because what moves goes on moving and soil that "
+      "yields goes on yielding");
   p.section("nox", nox, "a line search of NOX instead of the guarded full steps, with NOX's names");
   guarded = p.documenting() || !p.deck().has_section("nox");
   for (const char* entry : {"halvings", "largest growth", "damped retry"})
