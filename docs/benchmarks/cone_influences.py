@@ -156,7 +156,7 @@ def means(folder, name):
 
 def theory(settings):
     """Over the strength of Modified Cam Clay, at the wall: excess pore pressure, and total radial stress beyond that
-    of the start. Of a cylindrical and a spherical cavity from nothing, and of the simple pile of the strain path
+    of the start, for a cylindrical and a spherical cavity from nothing and for the simple pile of the strain path
     method. The sphere starts from the mean stress and the yield surface of the others."""
     swelling = settings.get(SKELETON + "swelling slope", KAPPA)
     poisson = settings.get(SKELETON + "Poisson's ratio", 0.3)
