@@ -38,6 +38,8 @@ struct StrengthProfile {
     p.add(name + " gradient", gradient, "Pa/m", non_negative(),
           "Increase per metre of depth below the reference elevation");
     p.add("reference elevation", elevation, "m", any(), "Height from which the depth of the gradient counts");
+    if (p.given("reference elevation") && !p.given(name + " gradient"))
+      p.deck().fail("has a meaning only together with '" + name + " gradient'", "reference elevation");
     if (p.varies(name) && gradient != 0.0)
       p.deck().fail("has no meaning where the value itself is a function of the place", name + " gradient");
   }

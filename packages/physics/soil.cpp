@@ -128,6 +128,9 @@ std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const M
   if (material->permeability && !material->fluid)
     section.fail("a section 'permeability' needs a section 'fluid' beside it");
   if (material->fluid) check_fluid(*material, section);
+  for (const char* entry : {"Biot coefficient", "grain bulk modulus"})
+    if (!material->fluid && section.has_parameter(entry))
+      section.fail("has a meaning only beside a 'fluid', whose pressure acts on the grains", entry);
   if (material->biot_coefficient < material->initial_porosity() && material->fluid)
     section.fail("the Biot coefficient must not be below the porosity " + std::to_string(material->initial_porosity()),
                  "Biot coefficient");

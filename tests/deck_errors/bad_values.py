@@ -175,6 +175,9 @@ DECKS = [
               "contacts/ball on clay/film viscosity: -0.001 is out of range; allowed: (0, inf)"),
     Wrong("cavitation without a film", (TOUCHED, TOUCHED + parameter("cavitation pressure", "double", "-1e5")),
           "contacts/ball on clay/cavitation pressure: has a meaning only with 'drainage' = film"),
+    Wrong("gap that seals nothing", (TOUCHED, TOUCHED + parameter("drainage", "string", "drained") +
+                                     parameter("sealing gap", "double", "0.1")),
+          "contacts/ball on clay/sealing gap: has no meaning with 'drainage' = drained, which seals nothing"),
     # gaps at the start
     Wrong("closing distance without closing", (TOUCHED, TOUCHED + parameter("closing distance", "double", "1e-3")),
           "contacts/ball on clay/closing distance: has a meaning only with 'initial gap' = closed or in-situ stress; here it is as placed", ranks=BOTH),
@@ -358,6 +361,15 @@ DECKS = [
           "materials/clay: a saturated soil needs a section 'permeability' beside its 'fluid'", at=section("clay")),
     Wrong("permeability without fluid", without(whole("fluid")),
           "materials/clay: a section 'permeability' needs a section 'fluid' beside it", at=section("clay")),
+    Wrong("grains without water", [('value="biot"', 'value="solid"'), (whole("fluid"), ""), (whole("permeability"), ""),
+                                   (section("clay"), section("clay") + parameter("Biot coefficient", "double", "0.9"))],
+          "materials/clay/Biot coefficient: has a meaning only beside a 'fluid', whose pressure acts on the grains",
+          at=parameter("Biot coefficient", "double", "0.9")),
+    Wrong("height without a gradient",
+          (SKELETON, section("skeleton") + "\n" + "".join(parameter(*entry) + "\n" for entry in CONE) +
+           parameter("reference elevation", "double", "3") + "\n</ParameterList>\n"),
+          "materials/clay/skeleton/reference elevation: has a meaning only together with 'cohesion gradient'",
+          at=parameter("reference elevation", "double", "3")),
     Wrong("solid with fluid", ('value="biot"', 'value="solid"'),
           "materials/clay: material 'clay' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and 'permeability', "
           "or use physics 'biot'", at=section("clay")),

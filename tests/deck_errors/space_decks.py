@@ -218,6 +218,11 @@ DECKS = [
                 + parameter("coefficient", "double", "1.0") + parameter("alpha", "double", "0.5") + "</ParameterList>")],
               "contacts/face/friction/type: this law reads the undrained strength of the soil at 'top'; the law "
               "'linear elastic' of material 'soil' has none", at=parameter("type", "string", "coulomb"), ranks=BOTH),
+    with_ball("full adhesion of none",
+              [(BODY, BODY + section("friction") + parameter("type", "string", "coulomb")
+                + parameter("coefficient", "double", "0.5") + parameter("full adhesion at", "double", "1e3") + "</ParameterList>")],
+              "contacts/face/friction/full adhesion at: has a meaning only together with an 'adhesion'",
+              at=parameter("full adhesion at", "double", "1e3")),
     with_pair("heat share without friction", parameter("slave heat share", "double", "0.5"),
               "contacts/face/slave heat share: has a meaning only with 'friction', which makes the heat"),
     with_pair("heat share without temperature", parameter("slave heat share", "double", "0.5"),

@@ -56,6 +56,8 @@ void CoulombFriction::check(const Section& section) const {
   pair("rate coefficient", "reference speed", reference_speed_, "m/s");
   if (section.has_parameter("rate coefficient") && !by_soil_)
     section.fail("has a meaning only together with 'alpha'", "rate coefficient");
+  if (section.has_parameter("full adhesion at") && !section.has_parameter("adhesion"))
+    section.fail("has a meaning only together with an 'adhesion'", "full adhesion at");
   const auto not_negative = [&](const char* entry, const Function& value) {
     if (value.is_constant() && value(0, {}) < 0) section.fail("must not be negative", entry);
   };

@@ -29,6 +29,8 @@ void Drainage::check(const Section& section, bool pore_pressure) const {
     if (!pore_pressure) section.fail(std::string("leaky") + needs_field, "drainage");
     return;
   }
+  if (kind_ == Kind::drained && section.has_parameter("sealing gap"))
+    section.fail("has no meaning with 'drainage' = drained, which seals nothing", "sealing gap");
   for (const char* entry : {"conductance", "outside pressure"})
     if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = leaky", entry);
 }

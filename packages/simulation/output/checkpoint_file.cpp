@@ -19,7 +19,7 @@ namespace mudline {
 namespace {
 
 constexpr const char* kind = "checkpoint";
-constexpr int format_version = 3;
+constexpr int format_version = 4;
 constexpr int signature_length = 8;
 
 std::vector<long long> row_of(const MeshSignature& mesh) {
