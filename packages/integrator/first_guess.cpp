@@ -49,9 +49,11 @@ double largest_ratio(const std::vector<double>& norms, const std::vector<double>
   return largest;
 }
 
-int FirstGuess::improve(Vector& x, bool extrapolates) {
+int FirstGuess::improve(Vector& x, const NewtonOptions& options) {
   solved_ = 0;
-  if (!extrapolates || !extrapolate(x)) predict(x);
+  on_trial_ = false;
+  const bool extrapolates = options.first_guess == NewtonOptions::FirstGuess::extrapolated;
+  if (!extrapolates || !extrapolate(x, options.guess_on_trial)) predict(x);
   return solved_;
 }
 
@@ -68,7 +70,7 @@ NodalView FirstGuess::rates() const {
   return result;
 }
 
-bool FirstGuess::extrapolate(Vector& x) {
+bool FirstGuess::extrapolate(Vector& x, bool may_try) {
   if (!system_.scheme().flow) return false;  // geostatic: no time passes
   Vector guess = extrapolated(system_, x, rates());
   Vector change(guess, Teuchos::Copy), f(system_.map());
@@ -81,7 +83,8 @@ bool FirstGuess::extrapolate(Vector& x) {
   if (!system_.residual(guess, f)) return false;
   const std::vector<double> moving = owned_field_norms(dofs, f), &now_acting = system_.convergence().acting();
   const bool worse = here && largest_ratio(moving, acting, now_acting) > largest_ratio(resting, acting, now_acting);
-  if (worse && (system_.scheme().inertia || !iterate(guess, f))) return false;
+  if (worse) on_trial_ = may_try && !system_.scheme().inertia && iterate(guess, f);
+  if (worse && !on_trial_) return false;
   Tpetra::deep_copy(x, guess);
   return true;
 }

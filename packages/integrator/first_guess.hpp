@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "integrator/newton.hpp"
 #include "integrator/step_system.hpp"
 
 namespace mudline {
@@ -18,18 +19,20 @@ class FirstGuess {
  public:
   /// `system` must outlive it.
   explicit FirstGuess(StepSystem& system) : system_(system) {}
-  /// Improves `x`, which StepSystem::begin() gave: by the predictor if `extrapolates`, or else by a linear
+  /// Improves `x`, which StepSystem::begin() gave: by the predictor if the options say so, or else by a linear
   /// prediction. Returns how many linear systems it solved. Collective.
-  int improve(Vector& x, bool extrapolates);
+  int improve(Vector& x, const NewtonOptions& options);
+  /// Whether the guess was more out of balance than the committed state, and an iteration from it halved that.
+  bool on_trial() const { return on_trial_; }
 
  private:
   /// The rates of the last step, by overlap dof: the predictor; with inertia, and of bodies and multipliers, which have
   /// no mesh that moves, the committed rates.
   NodalView rates() const;
   /// Extrapolates the guess with the predictor. Returns false, with x unchanged, where nothing moves, where the terms
-  /// cannot be evaluated there, or where the imbalance is larger; without inertia, where it is larger and one
-  /// iteration of Newton's method does not halve it.
-  bool extrapolate(Vector& x);
+  /// cannot be evaluated there, or where the imbalance is larger and may not be halved by an iteration, or is not.
+  /// may_try: whether it may, if there is no inertia.
+  bool extrapolate(Vector& x, bool may_try);
   /// Takes one iteration of Newton's method from x, at which the residual was evaluated last; `f`: it. Returns whether
   /// that leaves less than half of the imbalance; if not, x and f mean nothing any more.
   bool iterate(Vector& x, Vector& f);
@@ -44,6 +47,7 @@ class FirstGuess {
 
   StepSystem& system_;
   int solved_ = 0;  // linear systems
+  bool on_trial_ = false;
 };
 
 }  // namespace mudline

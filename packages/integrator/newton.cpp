@@ -122,15 +122,21 @@ Range share() { return {0, 1, true, false}; }
 
 }  // namespace
 
-NewtonOptions NewtonOptions::damped() const {
+NewtonOptions NewtonOptions::from_balance() const {
   NewtonOptions result = *this;
+  result.guess_on_trial = false;
+  return result;
+}
+
+NewtonOptions NewtonOptions::damped() const {
+  NewtonOptions result = from_balance();
   result.largest_growth = 1.2;
   return result;
 }
 
 NewtonOptions NewtonOptions::creeping() const {
   constexpr int patience = 7;
-  NewtonOptions result = *this;
+  NewtonOptions result = from_balance();
   result.elastic_share = true;
   result.reuse_jacobian = false;
   result.maximum_iterations = patience * maximum_iterations;

@@ -77,14 +77,17 @@ struct NewtonOptions {
   bool reuse_jacobian = true;
   double largest_forcing = 0.1;  // fraction of the residual that a linear solve may leave; 0: forcing is off
   FirstGuess first_guess = FirstGuess::extrapolated;
-  bool guarded = true;  // the deck names no line search of NOX
+  bool guess_on_trial = true;  // a guess that is more out of balance may get an iteration; not a parameter
+  bool guarded = true;         // the deck names no line search of NOX
   NoxOptions nox;
   void parameters(Parameters& p);
   /// Whether a failed solve with these options may be repeated with damped() and creeping().
   bool may_be_damped() const { return guarded && damped_retry && largest_growth == 0; }
-  /// The same options with steps that are halved where the residual grows by more than a fifth.
+  /// The same options without a guess on trial.
+  NewtonOptions from_balance() const;
+  /// Those, with steps that are halved where the residual grows by more than a fifth.
   NewtonOptions damped() const;
-  /// The same options with a share of elastic stiffness in the soil's tangents, see ElasticShare.
+  /// Those of from_balance() with a share of elastic stiffness in the soil's tangents, see ElasticShare.
   NewtonOptions creeping() const;
 };
 

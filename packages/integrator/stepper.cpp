@@ -51,8 +51,9 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
                              const NewtonOptions& newton) {
   Vector x = system_.begin(request, tolerances);
   StepReport report;
-  const bool extrapolates = newton.first_guess == NewtonOptions::FirstGuess::extrapolated;
-  report.newton_iterations = FirstGuess(system_).improve(x, extrapolates);
+  FirstGuess guess(system_);
+  report.newton_iterations = guess.improve(x, newton);
+  report.on_trial = guess.on_trial();
   solve_step(newton, x, report);
   report.linear_iterations = system_.linear_iterations();
   report.factorisations = system_.factorisations();
@@ -71,18 +72,20 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   if (newton.may_be_damped()) ways.insert(ways.end(), {newton.damped(), newton.creeping()});
   StepReport report;
   std::string reason;  // that of the first way
-  for (const NewtonOptions& way : ways) {
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const NewtonOptions way = ways[k];
     const StepReport before = report;
     system_.set_options(way);
     report = try_step(request, tolerances, way);
-    report.retried = &way != &ways.front();
+    report.retried = k > 0;
     report.newton_iterations += before.newton_iterations;
     report.linear_iterations += before.linear_iterations;
     report.factorisations += before.factorisations;
     if (way.elastic_share) system_.forget_jacobian();
     if (report.converged || report.refused) return report;
+    if (report.on_trial) ways.insert(ways.begin() + k + 1, newton.from_balance());
     if (reason.empty()) reason = report.reason;
-    if (&way != &ways.back()) log::detail("    the step is tried once more: " + report.reason);
+    if (k + 1 < ways.size()) log::detail("    the step is tried once more: " + report.reason);
   }
   report.reason = reason;
   return report;

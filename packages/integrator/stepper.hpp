@@ -17,7 +17,8 @@ struct StepReport {
   int augmentations = 0;      // solves after the first, for terms that augment
   int linear_iterations = 0;
   int factorisations = 0;
-  bool retried = false;  // full steps did not converge, another way may have
+  bool on_trial = false;  // began with a first guess on trial
+  bool retried = false;   // full steps did not converge, another way may have
   std::string reason;
 };
 
@@ -27,8 +28,9 @@ class Stepper {
  public:
   /// `system` must outlive it.
   explicit Stepper(StepSystem& system) : system_(system) {}
-  /// Tries one step from the committed state, with full Newton steps; where those do not converge, with damped ones,
-  /// then with a share of elastic stiffness. On success the trial state is complete. Collective.
+  /// Tries one step from the committed state, with full Newton steps; where those do not converge, without a guess on
+  /// trial, then with damped ones, then with a share of elastic stiffness. On success the trial state is complete.
+  /// Collective.
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
  private:
