@@ -124,6 +124,7 @@ void StepSystem::activate(const std::vector<Term*>& active) {
   force_.clear();
   for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", total_.extent(0));
   forget_solver();
+  chord_.forget_all();  // a run that is continued from here knows no earlier stage
 }
 
 void StepSystem::forget_solver() {
