@@ -10,7 +10,6 @@
 #include "core/entry.hpp"
 #include "core/errors.hpp"
 #include "core/text.hpp"
-#include "core/time_dependence.hpp"
 #include "core/unit.hpp"
 #include "tensor/vec.hpp"
 
@@ -109,6 +108,15 @@ Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibra
   return Function(constant);
 }
 
+/// A function of the place alone.
+Function read_function_of_place(const Teuchos::ParameterEntry& entry, const FunctionLibrary& library,
+                                const std::string& unit) {
+  const Function function = read_function(entry, library, unit);
+  if (!function.steady())
+    throw Fault("'" + function.text() + "' depends on the time; this number may depend on the place only");
+  return function;
+}
+
 /// A value that is given with units, in the unit that is declared.
 Teuchos::ParameterEntry in_unit(const std::string& unit, const Teuchos::ParameterEntry& entry,
                                 const std::vector<std::optional<ValueWithUnit>>& quantities) {
@@ -202,8 +210,7 @@ void Parameters::number(const std::string& name, double& member, const std::stri
     const bool may_be_function =
         varying_ != nullptr && entry.isType<std::string>() && !parse_number(text) && unknown_unit(text).empty();
     if (!may_be_function) return convert(entry, range, member);
-    const Function function = read_function(entry, section_->functions(), unit);
-    if (const std::string wrong = time_in(function); !wrong.empty()) throw Fault(wrong);
+    const Function function = read_function_of_place(entry, section_->functions(), unit);
     if (!function.is_constant()) return varying_->push_back({name, unit, range, function, &member});
     check_range(function(0, {}), function.text(), range);
     member = function(0, {});
@@ -291,6 +298,12 @@ void Parameters::add(const std::string& name, Point& member, const std::string& 
 }
 void Parameters::add(const std::string& name, Function& member, const std::string& unit, const std::string& doc) {
   function(name, member, unit, doc, false);
+}
+void Parameters::add_of_place(const std::string& name, Function& member, const std::string& unit,
+                              const std::string& doc) {
+  read({name, "function", unit, "", member.text(), doc, false, {}}, [&](const Teuchos::ParameterEntry& entry) {
+    member = read_function_of_place(entry, section_->functions(), unit);
+  });
 }
 
 void Parameters::required(const std::string& name, double& member, const std::string& unit, Range range,

@@ -71,6 +71,8 @@ class Parameters {
   /// A point or a vector: as many numbers as the mesh has dimensions; in the plane the third stays 0.
   void add(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void add(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
+  /// A function of the place, which is worked out once; one that depends on the time is refused.
+  void add_of_place(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, double& member, const std::string& unit, Range range, const std::string& doc);
   void required(const std::string& name, int& member, const std::string& unit, Range range, const std::string& doc);
   void required(const std::string& name, std::string& member, const std::string& doc);

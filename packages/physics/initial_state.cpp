@@ -7,7 +7,6 @@
 
 #include "core/pi.hpp"
 #include "core/text.hpp"
-#include "core/time_dependence.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/earth_pressure.hpp"
@@ -43,27 +42,31 @@ void InitialState::parameters(Parameters& p) {
         "geostatic or by law: height of the water surface, counted against gravity; water above it is held by suction. "
         "Without it the pore pressure of a geostatic start is zero");
   has_water_ = p.given("water level");
-  p.add("K0", k0_, "-",
-        "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
+  p.add_of_place(
+      "K0", k0_, "-",
+      "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
   has_k0_ = p.given("K0");
-  p.add("K0 friction angle [deg]", k0_angle_, "deg",
-        "geostatic, instead of K0: K0 = (1 - sin(phi)) OCR^sin(phi) (Jaky; Mayne and Kulhawy); function of position");
+  p.add_of_place(
+      "K0 friction angle [deg]", k0_angle_, "deg",
+      "geostatic, instead of K0: K0 = (1 - sin(phi)) OCR^sin(phi) (Jaky; Mayne and Kulhawy); function of position");
   has_k0_angle_ = p.given("K0 friction angle [deg]");
-  p.add("overconsolidation ratio", ocr_, "-",
-        "scales the yield surface through the initial stress; function of position");
+  p.add_of_place("overconsolidation ratio", ocr_, "-",
+                 "scales the yield surface through the initial stress; function of position");
   has_ocr_ = p.given("overconsolidation ratio");
-  p.add("preoverburden pressure", preoverburden_, "Pa",
-        "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + "
-        "POP/sigma'_v; function of position");
+  p.add_of_place(
+      "preoverburden pressure", preoverburden_, "Pa",
+      "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + "
+      "POP/sigma'_v; function of position");
   has_preoverburden_ = p.given("preoverburden pressure");
-  p.add(
+  p.add_of_place(
       "undrained strength", strength_, "Pa",
       "instead of the overconsolidation ratio, which is found so that the skeleton law has this undrained strength at "
       "the start; function of position");
   has_strength_ = p.given("undrained strength");
-  p.add("undrained strength ratio", strength_ratio_, "-",
-        "geostatic, instead of the undrained strength: over the vertical effective stress, s_u/sigma'_v; function of "
-        "position");
+  p.add_of_place(
+      "undrained strength ratio", strength_ratio_, "-",
+      "geostatic, instead of the undrained strength: over the vertical effective stress, s_u/sigma'_v; function of "
+      "position");
   has_strength_ratio_ = p.given("undrained strength ratio");
 }
 
@@ -90,13 +93,6 @@ void InitialState::check(const Section& section) const {
       if (name != "type" && name != "pore pressure" && name != "water level" && name != "overconsolidation ratio")
         section.fail("with 'type' = 'by law' the law gives the stress", name);
     }
-  for (const auto& [entry, function] : {std::pair{"K0", &k0_},
-                                        {"K0 friction angle [deg]", &k0_angle_},
-                                        {"overconsolidation ratio", &ocr_},
-                                        {"preoverburden pressure", &preoverburden_},
-                                        {"undrained strength", &strength_},
-                                        {"undrained strength ratio", &strength_ratio_}})
-    if (const std::string wrong = time_in(*function); !wrong.empty()) section.fail(wrong, entry);
   if (has_strength_ && kind_ == Kind::stress_free)
     section.fail("without stress there is no overconsolidation; give the strength in 'skeleton'", "undrained strength");
   static const struct {

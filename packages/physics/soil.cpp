@@ -9,7 +9,6 @@
 
 #include "core/guarded.hpp"
 #include "core/text.hpp"
-#include "core/time_dependence.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
@@ -19,10 +18,11 @@ namespace mudline {
 
 void SoilMaterial::parameters(Parameters& p) {
   p.add("regions", regions, "mesh regions made of this soil; empty: all of them");
-  p.add("top", top, "m",
-        "the material is a layer: the soil of its regions below this height, counted against gravity, down to the next "
-        "lower top among the materials of the region; function of the place at the start. Without it: up to the "
-        "surface");
+  p.add_of_place(
+      "top", top, "m",
+      "the material is a layer: the soil of its regions below this height, counted against gravity, down to the next "
+      "lower top among the materials of the region; function of the place at the start. Without it: up to the "
+      "surface");
   has_top = p.given("top");
   p.add("grain density", grain_density, "kg/m3", positive(), "density of the solid grains");
   p.let_vary(&pores_);
@@ -45,7 +45,6 @@ void SoilMaterial::parameters(Parameters& p) {
   if (p.documenting() || p.deck().has_section("retention"))
     p.section("retention", retention, "water that the soil keeps under suction; without it the soil is saturated");
   if (p.documenting()) return;
-  if (const std::string wrong = time_in(top); !wrong.empty()) p.deck().fail(wrong, "top");
   if (retention.acts() && !p.deck().has_section("fluid"))
     p.deck().fail("there is no 'fluid' that the pores could keep", "retention");
   if (retention.acts() && (biot_coefficient != 1 || grain_bulk_modulus > 0))

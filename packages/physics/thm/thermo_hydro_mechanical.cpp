@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/time_dependence.hpp"
 #include "framework/medium.hpp"
 #include "physics/biot/darcy.hpp"
 
@@ -138,8 +137,8 @@ void ThermoHydroMechanical::parameters(Parameters& p) {
   pore_water_parameters(p);
   p.add("reference temperature", reference_, "degC", open(-100, 1000),
         "at which densities and conductivities are as given");
-  p.add("initial temperature", initial_, "degC",
-        "at the start, a function of position; that of reference where it is not given");
+  p.add_of_place("initial temperature", initial_, "degC",
+                 "at the start, a function of position; that of reference where it is not given");
   initial_given_ = p.given("initial temperature");
   p.add("water heat capacity", water_.capacity, "J/(kg K)", positive(), "of the pore water, per mass");
   p.add("water expansion", water_.expansion, "1/K", non_negative(), "volumetric, of the pore water");
@@ -148,7 +147,6 @@ void ThermoHydroMechanical::parameters(Parameters& p) {
   p.choice("viscosity", viscosity, {{"constant", Viscosity::constant}, {"follows temperature", Viscosity::follows}},
            "of the pore water; it falls by 2 % per kelvin at 20 degC, and the conductivity grows with it");
   viscosity_follows_ = viscosity == Viscosity::follows;
-  if (const std::string wrong = time_in(initial_); !wrong.empty()) p.deck().fail(wrong, "initial temperature");
 }
 
 std::vector<Field> ThermoHydroMechanical::fields() const {
