@@ -83,19 +83,18 @@ bool FirstGuess::extrapolate(Vector& x, bool may_try) {
   if (!system_.residual(guess, f)) return false;
   const std::vector<double> moving = owned_field_norms(dofs, f), &now_acting = system_.convergence().acting();
   const bool worse = here && largest_ratio(moving, acting, now_acting) > largest_ratio(resting, acting, now_acting);
-  if (worse) on_trial_ = may_try && !system_.scheme().inertia && iterate(guess, f);
+  if (worse) on_trial_ = may_try && !system_.scheme().inertia && iterate(guess, f, moving);
   if (worse && !on_trial_) return false;
   Tpetra::deep_copy(x, guess);
   return true;
 }
 
-bool FirstGuess::iterate(Vector& x, Vector& f) {
+bool FirstGuess::iterate(Vector& x, Vector& f, const std::vector<double>& before) {
   // Soil that flows on as before keeps its stresses but for the pressure, because the rates are not quite those of no
   // change of volume at the next place. Its stiffness against that is large, and so are the forces, but one iteration
   // takes them away. Where the contact has changed it does not, and the state at rest is the better start.
   constexpr double half = 0.5;
-  const DofMap& dofs = *system_.space().dofs();
-  const std::vector<double> before = owned_field_norms(dofs, f), acting = system_.convergence().acting();
+  const std::vector<double> acting = system_.convergence().acting();
   system_.forget_jacobian();
   Vector correction(system_.map());
   const bool solved = system_.jacobian(x) && system_.solve(f, correction);
@@ -103,8 +102,8 @@ bool FirstGuess::iterate(Vector& x, Vector& f) {
   if (solved) x.update(-1, correction, 1);
   const bool evaluated = solved && system_.residual(x, f);
   const std::vector<double>& now_acting = system_.convergence().acting();
-  if (evaluated &&
-      largest_ratio(owned_field_norms(dofs, f), acting, now_acting) < half * largest_ratio(before, acting, now_acting))
+  if (evaluated && largest_ratio(owned_field_norms(*system_.space().dofs(), f), acting, now_acting) <
+                       half * largest_ratio(before, acting, now_acting))
     return true;
   system_.forget_jacobian();
   return false;

@@ -33,9 +33,10 @@ class FirstGuess {
   /// cannot be evaluated there, or where the imbalance is larger and may not be halved by an iteration, or is not.
   /// may_try: whether it may, if there is no inertia.
   bool extrapolate(Vector& x, bool may_try);
-  /// Takes one iteration of Newton's method from x, at which the residual was evaluated last; `f`: it. Returns whether
-  /// that leaves less than half of the imbalance; if not, x and f mean nothing any more.
-  bool iterate(Vector& x, Vector& f);
+  /// Takes one iteration of Newton's method from x, at which the residual was evaluated last; `f`: it, `before`: its
+  /// norms by field. Returns whether that leaves less than half of the imbalance; if not, x and f mean nothing any
+  /// more.
+  bool iterate(Vector& x, Vector& f, const std::vector<double>& before);
   /// Linear prediction: where prescribed unknowns move or a term asks for it, replaces the guess `x` by the linear
   /// response of the committed state. Otherwise all other unknowns would stay behind, and a large motion would fold or
   /// yield the elements in between.
