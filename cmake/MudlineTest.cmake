@@ -37,6 +37,8 @@ function(mudline_test name)
   endif()
   math(EXPR wall "3 * ${cpu} + 900")  # cpu_limit.py ends it before
   list(JOIN mudline_mpiexec " " mpiexec)
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${wall} PROCESSORS ${arg_RANKS} ENVIRONMENT
-    "MUDLINE=$<TARGET_FILE:mudline>;MUDLINE_MPIEXEC=${mpiexec};PYTHONPATH=${support};OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;HWLOC_HIDE_ERRORS=2;OMPI_MCA_mpi_yield_when_idle=1;${arg_ENVIRONMENT}")
+  set(environment "MUDLINE=$<TARGET_FILE:mudline>" "MUDLINE_MPIEXEC=${mpiexec}" "PYTHONPATH=${support}"
+    OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 HWLOC_HIDE_ERRORS=2 OMPI_MCA_mpi_yield_when_idle=1 ${arg_ENVIRONMENT})
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${wall} PROCESSORS ${arg_RANKS}
+    ENVIRONMENT "${environment}")
 endfunction()

@@ -27,6 +27,7 @@ GEOSTATIC = parameter("surcharge", "double", "20e3")
 
 
 START = whole("initial state")
+ONE_PHASE = [('value="biot"', 'value="solid"'), (whole("fluid"), ""), (whole("permeability"), "")]
 
 
 def start_of(kind, *entries):
@@ -361,8 +362,8 @@ DECKS = [
           "materials/clay: a saturated soil needs a section 'permeability' beside its 'fluid'", at=section("clay")),
     Wrong("permeability without fluid", without(whole("fluid")),
           "materials/clay: a section 'permeability' needs a section 'fluid' beside it", at=section("clay")),
-    Wrong("grains without water", [('value="biot"', 'value="solid"'), (whole("fluid"), ""), (whole("permeability"), ""),
-                                   (section("clay"), section("clay") + parameter("Biot coefficient", "double", "0.9"))],
+    Wrong("grains without water",
+          [*ONE_PHASE, (section("clay"), section("clay") + parameter("Biot coefficient", "double", "0.9"))],
           "materials/clay/Biot coefficient: has a meaning only beside a 'fluid', whose pressure acts on the grains",
           at=parameter("Biot coefficient", "double", "0.9")),
     Wrong("height without a gradient",
@@ -427,8 +428,8 @@ DECKS = [
     without_meaning("effective stress yy", "stress free", "uniform"),
     without_meaning("effective stress yy", "geostatic", "uniform"),
     without_meaning("pore pressure", "geostatic", "uniform or by law"),
-    Wrong("a water level without water", [('value="biot"', 'value="solid"'), (whole("fluid"), ""), (whole("permeability"), ""),
-                                          (whole("drained surface"), ""), (", drained surface,", ",")],
+    Wrong("a water level without water",
+          [*ONE_PHASE, (whole("drained surface"), ""), (", drained surface,", ",")],
           "physics/ground/initial state/water level: this physics has one phase and no pore pressure; 'biot' has one",
           at=parameter("water level", "double", "0.3")),
     changing("K0", (parameter("K0", "double", "0.6"), parameter("K0", "string", "1.5 + t")),

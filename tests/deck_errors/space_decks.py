@@ -220,7 +220,8 @@ DECKS = [
               "'linear elastic' of material 'soil' has none", at=parameter("type", "string", "coulomb"), ranks=BOTH),
     with_ball("full adhesion of none",
               [(BODY, BODY + section("friction") + parameter("type", "string", "coulomb")
-                + parameter("coefficient", "double", "0.5") + parameter("full adhesion at", "double", "1e3") + "</ParameterList>")],
+                + parameter("coefficient", "double", "0.5") + parameter("full adhesion at", "double", "1e3")
+                + "</ParameterList>")],
               "contacts/face/friction/full adhesion at: has a meaning only together with an 'adhesion'",
               at=parameter("full adhesion at", "double", "1e3")),
     with_pair("heat share without friction", parameter("slave heat share", "double", "0.5"),

@@ -58,7 +58,8 @@ class LargeStrain(ConsolidationCase):
         exact = finite_strain.Consolidation(MODULUS, LOAD, mobility, TIMES)
         history = self.run_deck(self.deck("large_strain"), settings + (
             "stages/consolidation/duration=1000", "stages/consolidation/time step/maximum=8", "mesh/cells={1, 60}",
-            "mesh/grading={1, 0.05}", "solver/residual tolerance=1e-8"))  # the water balance closes as far as Newton goes
+            "mesh/grading={1, 0.05}",
+            "solver/residual tolerance=1e-8"))  # the water balance closes as far as Newton goes
         self.compare_values(f"{name}: settlement", -between(history, "probe/top/displacement y", TIMES),
                             exact.settlement(), TOLERANCE)
         for probe, height in (("base", 0.0), ("middle", 0.5)):

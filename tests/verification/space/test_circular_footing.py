@@ -42,7 +42,8 @@ class CircularFooting(SpaceCase):
         """A thin plate deep in clay moves what is above it as what is below: the plane of the plate has no change of normal stress beside it, and
         no motion along it. So half of its capacity, 12.42 s_u (smooth) or 13.11 (rough; Martin and Randolph 2001), is that of a footing
         on such a surface."""
-        across = ("boundary conditions/beside/type=fixed", "boundary conditions/beside/set=surface", "boundary conditions/beside/components=x y")
+        across = ("boundary conditions/beside/type=fixed", "boundary conditions/beside/set=surface",
+                  "boundary conditions/beside/components=x y")
         self.assert_collapse("smooth plate", FINER + across, 12.42 / 2)
         self.assert_collapse("rough plate", ROUGH + across, 13.11 / 2)
 

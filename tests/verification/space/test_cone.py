@@ -62,7 +62,8 @@ class Cone(SpaceCase):
             "boundary conditions": conditions,
             "contacts": {"face": {"type": "frictionless penalty", "body": "cone", "surface": "hole"}},
             "solver": {"linear solver": {"type": "direct"}},
-            "stages": {"push": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.1, "maximum": 0.2}}}}))
+            "stages": {"push": {"type": "quasi-static", "duration": 1.0,
+                                "time step": {"initial": 0.1, "maximum": 0.2}}}}))
 
     def test_quarter(self):
         for name, conductivity in (("undrained", 1e-12), ("drained", 1.0)):

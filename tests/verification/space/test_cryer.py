@@ -12,7 +12,8 @@ from space_case import SpaceCase
 STAGE = "stages/consolidation/"
 # small cells around the centre, where the peak is; steps with a time error of 0.07 % of it
 FINE = ("mesh/parameters/cells=4", "mesh/parameters/around=10", "mesh/parameters/core=0.25", "mesh/parameters/ratio=1",
-        f"{STAGE}time step/initial=0.5", f"{STAGE}time step/growth=1.2", f"{STAGE}time step/maximum=3", f"{STAGE}integrator/start-up steps=4", "solver/linear solver/type=direct")
+        f"{STAGE}time step/initial=0.5", f"{STAGE}time step/growth=1.2", f"{STAGE}time step/maximum=3",
+        f"{STAGE}integrator/start-up steps=4", "solver/linear solver/type=direct")
 # alpha = 0.9 and storage n/K_f + (alpha - n)/K_s = 2.75e-8 1/Pa at the deck's porosity of 0.4
 COMPRESSIBLE = ("materials/soil/Biot coefficient=0.9", "materials/soil/grain bulk modulus=66666666.666666667",
                 "materials/soil/fluid/incompressible=false", "materials/soil/fluid/bulk modulus=2e7")

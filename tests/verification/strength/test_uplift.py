@@ -42,7 +42,8 @@ class Uplift(StrengthCase):
             "boundary conditions": {"base": {"type": "fixed", "set": "base"}, **sides, **surface},
             "contacts": {"face": {"type": "frictionless penalty", "body": "plate", "surface": "footing", "drainage": drainage, **contact}},
             "stages": {"way": {"type": "quasi-static", "duration": 3e-3 / abs(velocity),
-                               "time step": {"initial": 1.5e-5 / abs(velocity), "maximum": 1e-4 / abs(velocity), "growth": 1.25}}}})))
+                               "time step": {"initial": 1.5e-5 / abs(velocity), "maximum": 1e-4 / abs(velocity),
+                                             "growth": 1.25}}}})))
         reaction = history["contact/face/reaction y"]
         return reaction[np.argmax(np.abs(reaction))], history
 
