@@ -102,13 +102,6 @@ void check(herr_t status, const std::string& doing) {
   if (status < 0) throw std::runtime_error("cannot " + doing);
 }
 
-Handle create_file(MPI_Comm comm, const std::string& path, hsize_t user_block) {
-  const Handle access = parallel_access(comm);
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "prepare an HDF5 file");
-  check(H5Pset_userblock(creation, user_block), "prepare an HDF5 file");
-  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "create '" + path + "'");
-}
-
 Handle open_file(MPI_Comm comm, const std::string& path, bool writable) {
   const Handle access = parallel_access(comm);
   return Handle(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), H5Fclose,

@@ -36,8 +36,6 @@ class Handle {
 void check(herr_t status, const std::string& doing);
 
 // Files and groups. Collective.
-/// `user_block`: bytes at the start of the file that HDF5 leaves alone; 0, or a power of two from 512 on.
-Handle create_file(MPI_Comm comm, const std::string& path, hsize_t user_block);
 Handle open_file(MPI_Comm comm, const std::string& path, bool writable);
 /// The bytes of a small file that is made in memory by this process alone. std::runtime_error.
 std::string file_image(const std::function<void(hid_t file)>& content);

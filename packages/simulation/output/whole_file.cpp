@@ -18,17 +18,20 @@ namespace {
 
 using Seal = std::function<std::string(const std::string& path)>;
 
-/// Reserves room for so many bytes under this name, in a file that is emptied first or as it is, on rank 0. Returns why
-/// there is none, or "".
-std::string take_room(const std::string& path, long long bytes, bool empty) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (empty ? O_TRUNC : 0), 0666);
+/// Makes an HDF5 file without content under this name, with room for so many bytes, on this process alone. HDF5 leaves
+/// the first `user_block` bytes alone. Returns what went wrong, or "".
+std::string make_empty(const std::string& path, long long bytes, std::size_t user_block) {
+  const std::string begin = std::string(user_block, '\0') + h5::file_image([](hid_t) {});
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_TRUNC, 0666);
   if (file < 0) return "cannot create '" + path + "': " + std::strerror(errno);
-  const int error = posix_fallocate(file, 0, bytes);
+  int error = posix_fallocate(file, 0, bytes + static_cast<long long>(begin.size()));
+  const auto written = error == 0 ? ::write(file, begin.data(), begin.size()) : 0;
+  if (error == 0 && written != static_cast<ssize_t>(begin.size())) error = written < 0 ? errno : ENOSPC;
   close(file);
   return error == 0 ? "" : "cannot write '" + path + "': " + std::strerror(error);
 }
 
-std::string write(MPI_Comm comm, const std::string& path, const FileSize& size, hsize_t user_block,
+std::string write(MPI_Comm comm, const std::string& path, const FileSize& size, std::size_t user_block,
                   const std::function<void(hid_t file)>& content, const Seal& seal) {
   constexpr long long around = 16384, by_object = 2048;  // [bytes] upper estimates of HDF5's own data
   const std::string temporary = path + ".part";
@@ -38,19 +41,16 @@ std::string write(MPI_Comm comm, const std::string& path, const FileSize& size, 
   long long bytes = 0;
   MPI_Allreduce(&here, &bytes, 1, MPI_LONG_LONG, MPI_SUM, comm);
   bytes += around + by_object * static_cast<long long>(size.objects);
-  const auto room = [&](bool empty) {
-    return agreed_message(comm, rank == 0 ? take_room(temporary, bytes, empty) : "");
-  };
+  std::string error = agreed_message(comm, rank == 0 ? make_empty(temporary, bytes, user_block) : "");
   std::error_code ignored;
-  std::string error = room(true);
   if (!error.empty()) {
     if (rank == 0) std::filesystem::remove(temporary, ignored);
     return error;
   }
   try {
-    const auto file = h5::create_file(comm, temporary, user_block);
-    error = room(false);  // HDF5 has emptied the file, and cuts it to its length at the end
-    if (!error.empty()) throw std::runtime_error(error);
+    // HDF5 would empty a file that it creates, and its room could be lost. An opened file is cut to its length at the
+    // end.
+    const auto file = h5::open_file(comm, temporary, true);
     content(file);
     h5::flush(file, temporary);
   } catch (const std::runtime_error& failure) {
