@@ -3,7 +3,7 @@ import os
 import re
 import unittest
 
-from mudline_case import History, MudlineCase, deck_text, program
+from mudline_case import ROOT, History, MudlineCase, deck_text, program
 
 
 class Convergence(MudlineCase):
@@ -62,6 +62,27 @@ class SuddenLoad(Convergence):
         path = self.write("column.xml", deck_text("column", self.column(240e3, solver={"newton": {"damped retry": False}})))
         done = program(["run", "--steps", 1, path], folder=self.folder)
         self.assertIn("step 1 rejected:", done.stdout)
+
+
+class Rate(Convergence):
+    """A slow push of a cone into clay whose strength grows with the logarithm of the strain rate. The growth begins
+    where the rate passes a given one, here in the middle of the soil's rates."""
+
+    def steps(self, name, **law):
+        deck = os.path.join(ROOT, "inputs", "cpt", "tresca.xml")
+        settings = {"output/name": name, "stages/push/duration": 0.15,
+                    **{"materials/clay/skeleton/" + word.replace("_", " "): value for word, value in law.items()}}
+        done = program(["run", deck, *(text for entry, value in settings.items() for text in ("--set", f"{entry}={value}"))],
+                       folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout[-1500:] + done.stderr[-1500:])
+        taken, rejected = re.search(r"done: (\d+) steps(?:, (\d+) rejected)?", done.stdout).groups()
+        return int(taken), int(rejected or 0)
+
+    def test_takes_no_more_steps(self):
+        without, _ = self.steps("without")
+        taken, rejected = self.steps("rate", rate_law="logarithmic", rate_coefficient=0.1, reference_strain_rate=0.3)
+        self.assertLessEqual(taken, 1.3 * without)
+        self.assertLessEqual(rejected, 0.02 * taken)
 
 
 class LaidDown(Convergence):
