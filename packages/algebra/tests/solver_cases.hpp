@@ -161,16 +161,6 @@ inline model::Settings at(double dt, double mobility = 1e-8) {
   return settings;
 }
 
-/// Blocks without a coupling inside: every unknown of a field is prescribed.
-inline void check_prescribed_fields() {
-  model::Settings drained = at(1e-2);
-  drained.drained_throughout = true;
-  EXPECT_LE(check_block_amg(drained), 22);
-  model::Settings held = at(1e-2);
-  held.soil_held = true;
-  EXPECT_LE(check_block_amg(held), 22);
-}
-
 /// Blocks without a coupling inside: every unknown of a field is prescribed. All rows are loaded, prescribed ones too.
 template <class Problem>
 void check_prescribed_fields(model::Settings settings) {
@@ -197,15 +187,6 @@ inline model::Settings in_space_at(double dt, double mobility = 1e-8) {
 
 inline int check_in_space(const model::Settings& settings) {
   return check_block_amg_on(model::ProblemInSpace(settings, Tpetra::getDefaultComm()));
-}
-
-inline void check_prescribed_fields_in_space() {
-  for (const bool held : {false, true}) {
-    model::Settings settings = in_space_at(1e-2);
-    settings.cells = 11;  // more pressures than the coarsest level of multigrid takes
-    (held ? settings.soil_held : settings.drained_throughout) = true;
-    EXPECT_LE(check_in_space(settings), 22);
-  }
 }
 
 }  // namespace mudline::cases
