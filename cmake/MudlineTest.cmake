@@ -14,7 +14,8 @@ mudline_launcher(mudline_mpiexec ${MPIEXEC_EXECUTABLE})
 #
 # SCRIPT is a Python file of the calling folder. RANKS: processors that it takes; for tests that are a run of so
 # many ranks and little else. Tests that mostly start runs of one rank take one. Ranks that wait give their core away
-# (OpenMPI's mpi_yield_when_idle): on a busy machine ranks that spin take four times the CPU time.
+# (OpenMPI's mpi_yield_when_idle): on a busy machine ranks that spin take four times the CPU time. Ranks of a test share
+# one machine: OpenMPI looks for no network and hwloc for no device, which took a third of a start.
 #
 # tests/support/cpu_limit.py ends what never would: a test that runs away, after `cpu` seconds on processors of all that
 # it starts, and one that hangs, by the clock. The limit is one for all and some five times what the dearest test takes
@@ -38,7 +39,9 @@ function(mudline_test name)
   math(EXPR wall "3 * ${cpu} + 900")  # cpu_limit.py ends it before
   list(JOIN mudline_mpiexec " " mpiexec)
   set(environment "MUDLINE=$<TARGET_FILE:mudline>" "MUDLINE_MPIEXEC=${mpiexec}" "PYTHONPATH=${support}"
-    OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 HWLOC_HIDE_ERRORS=2 OMPI_MCA_mpi_yield_when_idle=1 ${arg_ENVIRONMENT})
+    OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 HWLOC_HIDE_ERRORS=2 OMPI_MCA_mpi_yield_when_idle=1
+    OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_osc=sm HWLOC_COMPONENTS=-pci,-linuxio,-opencl,-gl,-x86
+    ${arg_ENVIRONMENT})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${wall} PROCESSORS ${arg_RANKS}
     ENVIRONMENT "${environment}")
 endfunction()

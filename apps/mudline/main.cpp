@@ -63,11 +63,28 @@ void add_mesh_parts_option(CLI::App& command, std::string& file) {
   command.add_option("--mesh-parts", file, "take the mesh from this file of `mudline split`, each rank its own part");
 }
 
-/// Whether a command needs MPI, whose start takes most of a second: those that read no deck do without it, unless a
+/// Whether a launcher such as mpirun started this process.
+bool launched() {
+  for (const char* rank : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(rank) != nullptr) return true;
+  return false;
+}
+
+/// A process that nobody launched has no other to talk to. Open MPI would start a daemon for it, load the drivers of
+/// all networks (one of which sleeps for 0.2 s) and look for devices, which took half of the CPU time of a start; and
+/// it would give the core away in every look for messages. What the environment says of drivers and devices stays.
+void start_alone() {
+  for (const auto& [name, value] : {std::pair("OMPI_MCA_ess_singleton_isolated", "1"), std::pair("OMPI_MCA_pml", "ob1"),
+                                    std::pair("OMPI_MCA_btl", "self"), std::pair("OMPI_MCA_osc", "sm"),
+                                    std::pair("HWLOC_COMPONENTS", "-pci,-linuxio,-opencl,-gl,-x86")})
+    setenv(name, value, 0);
+  setenv("OMPI_MCA_mpi_yield_when_idle", "0", 1);
+}
+
+/// Whether a command needs MPI, whose start takes a part of a second: those that read no deck do without it, unless a
 /// launcher started several processes.
 bool needs_mpi(const std::vector<std::string>& words) {
-  for (const char* launched : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(launched) != nullptr) return true;
+  if (launched()) return true;
   const auto given = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   if (given("--help") || given("-h")) return false;
   return given("run") || given("check") || given("point") || given("split") || given("mesh");
@@ -342,6 +359,7 @@ int main(int argc, char** argv) {
   std::unique_ptr<Tpetra::ScopeGuard> scope;
   int ranks = 1;
   if (needs_mpi({argv + 1, argv + argc})) {
+    if (!launched()) start_alone();
     int own_count = 1;  // the command line is ours: Kokkos would answer --help with its own options
     scope = std::make_unique<Tpetra::ScopeGuard>(&own_count, &argv);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);

@@ -1,3 +1,4 @@
+#include "physics/biot/drying_water.hpp"
 #include "physics/biot/fluid_mass.hpp"
 #include "physics/biot/pore_air.hpp"
 #include "physics/biot/pressure_projection.hpp"
@@ -36,7 +37,10 @@ class Biot : public SoilPhysics {
       context.materials_section.fail(
           "'fluid acceleration' of the physics is for saturated soil; a material has a 'retention'");
     context.terms.push_back(fluid_mass(soil_, fluid_acceleration_));
-    if (soil_->dries()) context.terms.push_back(pore_air(soil_));
+    if (soil_->dries()) {
+      context.terms.push_back(drying_water(soil_));
+      context.terms.push_back(pore_air(soil_));
+    }
     if (pair_ == Pair::equal_order) context.terms.push_back(std::make_unique<PressureProjection>(soil_));
   }
 

@@ -25,6 +25,7 @@ packages/physics/solid/rayleigh_damping.cpp
 packages/physics/solid/stress_divergence.cpp
 packages/physics/solid/stress_update.cpp
 packages/physics/biot/fluid_mass.cpp
+packages/physics/biot/drying_water.cpp
 packages/physics/biot/pressure_projection.cpp
 packages/physics/thm/thermo_hydro_mechanical.cpp
 packages/physics/conditions/side_terms.cpp

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import time
 
-POLL = 0.5  # [s] between two looks at the clocks
+POLL = 2.0  # [s] between two looks at the clocks of all processes, which take some milliseconds each
 WALL_FACTOR, WALL_EXTRA = 2, 600
 TIMED_OUT = 124
 CHILD_SUBREAPER = 36  # Linux, <sys/prctl.h>
