@@ -15,18 +15,18 @@ FRICTION = 0.2
 
 @problem("exact", "rigid body with Coulomb's friction on a bed of springs", "Free ball on a rigid floor")
 class FreeBall(MudlineCase):
-    def ball(self, duration, step, start=(0.05, 0.05), height=-DEPTH, gravity=True, friction=FRICTION, size=(0.1, 0.1), **motion):
-        """The floor's nodes are all held."""
-        cell = 0.0125
+    def ball(self, duration, step, start=0.0375, height=-DEPTH, gravity=True, friction=FRICTION, length=0.075, **motion):
+        """The floor's nodes are all held. It is as wide as what touches, and a cell more on both sides."""
+        cell, width = 0.0125, 0.075
         contact = {"type": "penalty", "body": "ball", "surface": "top", "penalty": PENALTY, "advance limit": 2.0}
         if friction > 0:
             contact["friction"] = {"type": "coulomb", "coefficient": friction, "on": "total"}
         return self.run_deck(self.write("ball.xml", deck_text("ball", {
-            "mesh": {"type": "box", "geometry": "three-dimensional", "cell": "hex8", "upper": [*size, 0.1],
-                     "cells": [round(size[0] / cell), round(size[1] / cell), 1]},
+            "mesh": {"type": "box", "geometry": "three-dimensional", "cell": "hex8", "upper": [length, width, 0.1],
+                     "cells": [round(length / cell), round(width / cell), 1]},
             "materials": {"soil": {"porosity": 0.4, "skeleton": {"type": "linear elastic", "Young's modulus": 1e9, "Poisson's ratio": 0.3}}},
             "physics": {"ground": {"type": "solid"}},
-            "bodies": {"ball": {"position": [*start, 0.1 + height], "mass": MASS,
+            "bodies": {"ball": {"position": [start, width / 2, 0.1 + height], "mass": MASS,
                                 "surface": {"type": "revolved", "contour": {"type": "sphere", "diameter": 2 * RADIUS}},
                                 "motion": {"type": "free", "gravity": [0.0, 0.0, -G if gravity else 0.0], **motion}}},
             "boundary conditions": {name: {"type": "fixed", "set": name} for name in ("top", "bottom")},
@@ -39,7 +39,7 @@ class FreeBall(MudlineCase):
     def test_slides_then_rolls(self):
         """Sliding, the ball loses mu g of its speed and gains spin; from 2 v/(7 mu g) on it rolls with 5/7 of its speed."""
         speed = 2.0
-        history = self.ball(0.36, 1e-3, size=(0.7, 0.1), **{"initial velocity": [speed, 0.0, 0.0]})
+        history = self.ball(0.36, 1e-3, start=0.05, length=0.7, **{"initial velocity": [speed, 0.0, 0.0]})
         t = history.time
         rolls = 2 * speed / (7 * FRICTION * G)
         velocity, spin = history["body/ball/velocity x"], history["body/ball/spin y"]
@@ -85,7 +85,7 @@ class FreeBall(MudlineCase):
     def test_gross_slip(self):
         """A flat oblique impact slides throughout: along the floor it loses mu times what the normal impulse is, 2 m v."""
         down, along = 0.03, 0.2
-        history = self.ball(0.04, 5e-5, gravity=False, height=1e-4, **{"initial velocity": [along, 0.0, -down]})
+        history = self.ball(0.04, 1e-4, gravity=False, height=1e-4, **{"initial velocity": [along, 0.0, -down]})
         spin = history["body/ball/spin y"][-1]
         centre = history["body/ball/velocity x"][-1] + spin * RADIUS
         rise = history["body/ball/velocity z"][-1]
