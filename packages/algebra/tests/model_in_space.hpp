@@ -106,6 +106,7 @@ class ProblemInSpace {
     return 0.5 * settings_.size / settings_.cells * (direction == 2 ? height_ : 1.0);
   }
   double volume() const { return 8 * half_step(0) * half_step(1) * half_step(2) / 6; }
+  int layers() const { return settings_.layers > 0 ? settings_.layers : settings_.cells; }
   int line() const { return 2 * settings_.cells + 1; }
   GlobalOrdinal id(int i, int j, int k) const { return (static_cast<GlobalOrdinal>(k) * line() + j) * line() + i; }
 
@@ -219,7 +220,7 @@ inline void ProblemInSpace::add_contact(int e, ElementMatrix& J) const {
   for (int a = 0; a < 10; ++a) {
     const auto& node = elements_[e].nodes[a];
     const double x = half_step(0) * node[0], y = half_step(1) * node[1];
-    if (node[2] != line() - 1 || x > 0.3 * settings_.size || y > 0.3 * settings_.size) continue;
+    if (node[2] != 2 * layers() || x > 0.3 * settings_.size || y > 0.3 * settings_.size) continue;
     const double tilt = 0.7 * x / (0.3 * settings_.size), area = 4 * half_step(0) * half_step(1) / 24;
     const double n[3] = {-std::sin(tilt), 0, std::cos(tilt)}, t[3] = {std::cos(tilt), 0, std::sin(tilt)};
     for (int i = 0; i < 3; ++i)
@@ -253,7 +254,7 @@ inline FieldLayout ProblemInSpace::layout(const char* name, int components, int 
                                           std::vector<int>& local) const {
   FieldLayout field{name, components, {}, 0};
   const int step = components == 1 ? 2 : 1;  // the pressure is at the corners only
-  local.assign(static_cast<std::size_t>(id(0, 0, line())), -1);
+  local.assign(static_cast<std::size_t>(id(0, 0, 2 * layers() + 1)), -1);
   const auto add_levels = [&](int from, int to) {
     for (int k = from; k <= to; ++k) {
       if (k % step != 0) continue;
@@ -272,7 +273,7 @@ inline FieldLayout ProblemInSpace::layout(const char* name, int components, int 
 
 inline void ProblemInSpace::number() {
   const int n = settings_.cells, ranks = comm_->getSize(), rank = comm_->getRank(), end = line() - 1;
-  const int first_cell = n * rank / ranks, end_cell = n * (rank + 1) / ranks;
+  const int first_cell = layers() * rank / ranks, end_cell = layers() * (rank + 1) / ranks;
   for (int k = first_cell; k < end_cell; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
@@ -316,7 +317,7 @@ inline void ProblemInSpace::number() {
   }
   if (settings_.fluid && settings_.drained_top)
     for (std::size_t a = 0; a < fields[1].node_ids.size(); ++a)
-      if (settings_.drained_throughout || position(fields[1].node_ids[a])[2] == end)
+      if (settings_.drained_throughout || position(fields[1].node_ids[a])[2] == 2 * layers())
         constrained(dofs_->dof(1, static_cast<int>(a))) = 1;
   constrained_ = constrained;
 

@@ -19,6 +19,7 @@ namespace mudline::model {
 
 struct Settings {
   int cells = 33;             // per side
+  int layers = 0;             // of cells upwards, in space; 0: as many as per side
   double size = 10;           // [m]
   double young = 10e6;        // [Pa]
   double poisson = 0.3;       // [-]
