@@ -74,10 +74,12 @@ bool launched() {
 /// all networks (one of which sleeps for 0.2 s) and look for devices, which took half of the CPU time of a start; and
 /// it would give the core away in every look for messages. What the environment says of drivers and devices stays.
 void start_alone() {
-  for (const auto& [name, value] : {std::pair("OMPI_MCA_ess_singleton_isolated", "1"), std::pair("OMPI_MCA_pml", "ob1"),
-                                    std::pair("OMPI_MCA_btl", "self"), std::pair("OMPI_MCA_osc", "sm"),
-                                    std::pair("HWLOC_COMPONENTS", "-pci,-linuxio,-opencl,-gl,-x86")})
-    setenv(name, value, 0);
+  constexpr const char* settings[][2] = {{"OMPI_MCA_ess_singleton_isolated", "1"},
+                                         {"OMPI_MCA_pml", "ob1"},
+                                         {"OMPI_MCA_btl", "self"},
+                                         {"OMPI_MCA_osc", "sm"},
+                                         {"HWLOC_COMPONENTS", "-pci,-linuxio,-opencl,-gl,-x86"}};
+  for (const auto& [name, value] : settings) setenv(name, value, 0);
   setenv("OMPI_MCA_mpi_yield_when_idle", "0", 1);
 }
 

@@ -281,7 +281,8 @@ std::string failures(const Law& law, bool may_fail = false) {
   EntryDoc documentation;
   documentation.summary = "a law with a fault";
   std::string names;
-  for (const ConformanceCheck& check : check_conformance(PointwiseSkeleton<Law>(law), documentation, quarter(may_fail)))
+  const PointwiseSkeleton<Law> skeleton(law);
+  for (const ConformanceCheck& check : check_conformance(skeleton, documentation, quarter(may_fail)))
     if (!check.passed) names += (names.empty() ? "" : ", ") + check.name;
   return names;
 }

@@ -15,7 +15,8 @@ FRICTION = 0.2
 
 @problem("exact", "rigid body with Coulomb's friction on a bed of springs", "Free ball on a rigid floor")
 class FreeBall(MudlineCase):
-    def ball(self, duration, step, start=0.0375, height=-DEPTH, gravity=True, friction=FRICTION, length=0.075, **motion):
+    def ball(self, duration, step, start=0.0375, height=-DEPTH, gravity=True, friction=FRICTION, length=0.075,
+             **motion):
         """The floor's nodes are all held. It is as wide as what touches, and a cell more on both sides."""
         cell, width = 0.0125, 0.075
         contact = {"type": "penalty", "body": "ball", "surface": "top", "penalty": PENALTY, "advance limit": 2.0}

@@ -175,7 +175,8 @@ class Impact(PairCase):
         kinetic = history["balance/energy/kinetic"]
         self.compare_values("error of the energy", history["balance/energy/error"], 0.0, 1e-3, kinetic.max())
         # 0.06 with what the integrator interpolates instead of the force that does the work of the spring
-        self.compare_values("what the spring kept", history["balance/energy/contact/face"][-1], 0.0, 1e-3, kinetic.max())
+        kept = history["balance/energy/contact/face"][-1]
+        self.compare_values("what the spring kept", kept, 0.0, 1e-3, kinetic.max())
 
 
 if __name__ == "__main__":
