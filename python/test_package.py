@@ -60,6 +60,23 @@ class Decks(MudlineCase):
             mudline.Deck.read("nowhere.xml")
 
 
+class Units(MudlineCase):
+    def test_a_history_in_readable_units(self):
+        path = self.write("pile.csv", "time [s],body/pile/force y [N],body/pile/displacement y [m],n [-]\n"
+                                      "0,0,0,1\n86400,-42100,0.004,nan\n259200,20000,0.005,3\n")
+        history = mudline.History(path)
+        for name, unit, last in (("time", "days", 3), ("body/pile/force y", "kN", 20), ("n", "-", 3),
+                                 ("body/pile/displacement y", "mm", 5)):
+            values, found = history.readable(name)
+            self.assertEqual(found, unit)
+            self.assertAlmostEqual(values[-1], last, places=12)
+        table = os.path.join(self.folder, "table.csv")
+        history.write(table)
+        with open(table) as file:
+            self.assertEqual(file.readline(), "time [days],body/pile/force y [kN],body/pile/displacement y [mm],n [-]\n")
+            self.assertEqual([float(word) for word in file.readlines()[1].split(",")[:2]], [1, -42.1])
+
+
 @mock.patch.dict(os.environ, {"MUDLINE_PROGRAM": PROGRAM, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
 class Runs(MudlineCase):
     def run_deck(self, *decks, **more):

@@ -326,6 +326,10 @@ def build(options, gallery):
         sections.append(("Fields", field_section(result, steps, options.fields, options, gallery)))
     elif options.fields or options.times:
         raise MudlineError(f"{options.results[0]}: no step with fields was written")
+    if options.csv:
+        if history is None:
+            raise MudlineError(f"--csv: {options.results[0]} has no history")
+        history.write(options.csv)
     if history is not None and len(history.time):
         if report_point.is_point(history):
             figure = report_point.point_figure({stem.name: history})
@@ -408,6 +412,7 @@ def parse(arguments):
         default=True,
         help="one colour scale per field for all times (default), or one for each picture",
     )
+    parser.add_argument("--csv", metavar="FILE", help="write the history in kPa, kN, mm, days too, for a spreadsheet")
     parser.add_argument("--png", metavar="FOLDER", help="write every picture as a PNG file too")
     return parser.parse_args(arguments)
 

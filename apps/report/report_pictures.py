@@ -10,6 +10,8 @@ from matplotlib.patches import Polygon, Rectangle  # noqa: E402
 from matplotlib.ticker import MaxNLocator  # noqa: E402
 from matplotlib.tri import Triangulation  # noqa: E402
 
+from report_result import scaled, time_unit  # noqa: E402
+
 STYLE = {
     "font.family": "DejaVu Sans",
     "font.size": 9,
@@ -40,20 +42,6 @@ TWO_SIGNS = 0.05  # share of the largest magnitude that the smaller sign needs f
 MAX_POINTS = 1000
 
 
-def scaled(unit, largest):
-    """(factor, unit) that gives readable numbers: 52000 Pa becomes 52 kPa."""
-    if unit in ("Pa", "N", "J", "W", "N/m", "N m", "m", "s"):
-        steps = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m")]
-        if unit in ("m", "s"):
-            steps = steps[3:]
-        else:
-            steps = steps[:4]
-        for size, prefix in steps:
-            if largest >= size:
-                return 1 / size, prefix + unit
-    return 1.0, unit
-
-
 def ticks(count):
     return MaxNLocator(count, steps=[1, 2, 2.5, 5, 10])
 
@@ -62,14 +50,6 @@ def common_words(names):
     """What all curves of an axes are: "force" of "force y" and "tip force y"."""
     shared = set.intersection(*(set(name.split()) for name in names))
     return " ".join(word for word in names[0].split() if word in shared and len(word) > 1)
-
-
-def years(unit, span):
-    """Long times read better in hours, days or years than in megaseconds."""
-    for size, name in ((2 * 31557600.0, "years"), (2 * 86400.0, "days"), (2 * 3600.0, "hours")):
-        if unit == "s" and span >= size:
-            return {"years": 1 / 31557600.0, "days": 1 / 86400.0, "hours": 1 / 3600.0}[name], name
-    return 1.0, unit
 
 
 def thinned(x, y):
@@ -137,7 +117,7 @@ def shade_error(axes, along, x, y, error):
 
 def draw_curves(axes, since, curves, rows, factor, decades=False):
     """The curves over a time that belongs to `rows`, with the bands of their errors; returns the factor of the time axis."""
-    time_factor, unit = (1.0, "s") if decades or not len(since) else years("s", since.max())
+    time_factor, unit = (1.0, "s") if decades or not len(since) else time_unit(since.max())
     curves, errors = split_errors(curves)
     for name, values in curves.items():
         axes.plot(*thinned(since * time_factor, values[rows] * factor), label=name, solid_joinstyle="round")
@@ -407,5 +387,5 @@ class FieldPicture:
 
 
 def nice_time(seconds):
-    factor, unit = years("s", seconds)
+    factor, unit = time_unit(seconds)
     return f"{seconds * factor:.4g} {unit}"

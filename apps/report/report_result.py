@@ -9,6 +9,7 @@ import numpy as np
 sys.path[1:1] = [str(place / "python") for place in Path(__file__).resolve().parents[1:3]]
 from mudline import Field, Fields, History, MudlineError, Result  # noqa: E402, F401
 from mudline.fields import CELLS, stress_invariants, text  # noqa: E402, F401
+from mudline.units import scaled, time_unit  # noqa: E402, F401
 from report_space import Mesh  # noqa: E402
 
 # Straight-sided triangles that cover a cell, and its outline; node order: corners, edge middles, centre.

@@ -251,6 +251,18 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(report_pictures.scaled("Pa", 52000), (1e-3, "kPa"))
         self.assertEqual(report_pictures.scaled("m", 0.02), (1e3, "mm"))
         self.assertEqual(report_pictures.scaled("-", 1e6), (1.0, "-"))
+        self.assertEqual(report_pictures.time_unit(1e6), (1 / 86400, "days"))
+
+    def test_history_for_a_spreadsheet(self):
+        (self.folder / "cone.csv").write_text(HISTORY)
+        code, _, err = self.run_report(self.folder / "cone", "--csv", self.folder / "table.csv")
+        self.assertEqual(code, 0, err)
+        units = [title.rpartition(" ")[2] for title in (self.folder / "table.csv").read_text().splitlines()[0].split(",")]
+        self.assertIn("[kN]", units)
+        (self.folder / "cone.csv").unlink()
+        code, _, err = self.run_report(self.folder / "cone", "--csv", self.folder / "table.csv")
+        self.assertEqual((code, err.count("\n")), (2, 1))
+        self.assertIn("cone has no history", err)
 
     def test_stages_of_very_different_length_get_panels_of_their_own(self):
         time = np.concatenate([np.linspace(0, 0.1, 11), 0.1 + np.logspace(-3, 7, 50)])

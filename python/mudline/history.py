@@ -6,6 +6,7 @@ from difflib import get_close_matches
 import numpy as np
 
 from mudline.errors import MudlineError
+from mudline.units import scaled, time_unit
 
 
 class History:
@@ -55,6 +56,21 @@ class History:
         """The unit of a column."""
         self[name]
         return "s" if name == "time" else next(unit for group, last, unit in self.columns if name in (f"{group}/{last}", last))
+
+    def readable(self, name):
+        """(values, unit) of a column in a unit that suits its largest value: kPa, kN, mm; times in hours, days or years."""
+        values, unit = self[name], self.unit(name)
+        largest = np.abs(values[np.isfinite(values)]).max(initial=0.0)
+        factor, unit = time_unit(largest) if name == "time" else scaled(unit, largest)
+        return values * factor, unit
+
+    def write(self, path):
+        """Writes a CSV like that of the run with all columns in readable units, for a spreadsheet."""
+        columns = {name: self.readable(name) for name in self.by_name()}
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            rows = csv.writer(file)
+            rows.writerow([f"{name} [{unit}]" for name, (_, unit) in columns.items()])
+            rows.writerows(zip(*(values.tolist() for values, _ in columns.values())))
 
     def at(self, name, time):
         """A column at a time [s] within the run, linear between its rows."""
