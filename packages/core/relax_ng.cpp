@@ -1,3 +1,4 @@
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -8,11 +9,12 @@ namespace mudline {
 
 namespace {
 
-// A number that is written otherwise: a name, or a number with an operator or a space behind it, and what follows. Kept
-// short, because libraries translate a pattern anew wherever it is used.
+// A number that is written otherwise: a name, or a number with an operator or a space behind it, and what follows. A
+// plain number is none, so that its range is not passed by. Kept short, because libraries translate a pattern anew
+// wherever it is used.
 const std::string follows = R"([A-Za-z0-9_.°%µ\s)(*/^,<>=?:&|!+\-]*)";
 const std::string formula = R"([\s(+\-!]*([A-Za-z_][A-Za-z0-9_]*([\s)(*/^,<>=?:&|+\-])" + follows +
-                            R"()?|[0-9.]+([eE][\-+]?[0-9]+)?([\s)(*/^<>=?:&|+\-])" + follows + ")?)";
+                            R"()?|[0-9.]+([eE][\-+]?[0-9]+)?[\s)(*/^<>=?:&|+\-])" + follows + ")";
 const std::string array = R"(\s*\{[^{}]*\}\s*)";
 const std::string with_braces = R"(.*\{.*\}.*)";
 
@@ -77,6 +79,21 @@ std::string value(const std::string& text) { return "<value type=\"string\">" + 
 std::string data(const std::string& pattern) {
   return "<data type=\"string\"><param name=\"pattern\">" + xml_escaped(pattern) + "</param></data>";
 }
+/// A plain number within a range as the reference writes it, such as "(0, 0.5]"; any other text is no bound.
+std::string number_within(const std::string& range) {
+  const std::size_t comma = range.find(", ");
+  std::string bounds;
+  if (comma != std::string::npos && (range[0] == '(' || range[0] == '[')) {
+    const std::string low = range.substr(1, comma - 1), high = range.substr(comma + 2, range.size() - comma - 3);
+    const auto bound = [&](const std::string& facet, bool open, const std::string& value) {
+      if (std::isfinite(parse_number(value).value_or(HUGE_VAL)))
+        bounds += "<param name=\"" + facet + (open ? "Ex" : "In") + "clusive\">" + value + "</param>";
+    };
+    bound("min", range.front() == '(', low);
+    bound("max", range.back() == ')', high);
+  }
+  return bounds.empty() ? "<data type=\"double\"/>" : "<data type=\"double\">" + bounds + "</data>";
+}
 std::string reference(const std::string& name) { return "<ref name=\"" + name + "\"/>"; }
 std::string choice(const std::string& patterns) {
   return patterns.empty() ? "<notAllowed/>" : "<choice>" + patterns + "</choice>";
@@ -99,7 +116,7 @@ std::string parameter(const ParameterDoc& doc) {
   const std::string text = written(value("string"), "<text/>");
   std::string ways = text;
   if (doc.type == "double" || doc.type == "function" || doc.type == "int") {
-    ways = written(choice(value("double") + value("int")), choice("<data type=\"double\"/>" + data(formula)));
+    ways = written(choice(value("double") + value("int")), choice(number_within(doc.range) + data(formula)));
     if (doc.type == "function" || doc.may_vary) ways = choice(ways + text);  // the name of a function
   } else if (doc.type == "bool") {
     ways = written(value("bool"), choice(value("true") + value("false") + data(with_braces)));

@@ -5,6 +5,7 @@ import os
 import random
 import re
 import subprocess
+import tempfile
 import unittest
 
 from lxml import etree
@@ -46,6 +47,8 @@ def misspelt(word, dice):
 class Schema(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
         text = said("--rng")
         cls.schema = etree.RelaxNG(etree.fromstring(text.encode()))
         # all that is documented, wherever it may stand
@@ -65,6 +68,32 @@ class Schema(unittest.TestCase):
             tree = etree.fromstring(text.encode())
             valid = self.schema.validate(tree)
             self.assertTrue(valid, f"{os.path.relpath(path, ROOT)}: {self.schema.error_log}")
+
+    def test_ranges(self):
+        """A plain number outside of the declared range is refused, by schema and program alike. A value with a unit, an
+        expression and a number at a closed end are not."""
+        with open(os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml"), encoding="utf-8") as file:
+            text = file.read()
+        good = ("1e-9 m/s", "2*k", "k", "1e-7", "0.5", "(1e-7)", "1 m/day")
+        for name, within, outside in (("hydraulic conductivity", good, ("-1e-6", "-1")),
+                                      ("Poisson's ratio", ("0", "0.49", "0.3 + nu"), ("0.5", "2.5", "-1", "25")),
+                                      ("porosity", ("0.4", "n", "40 %"), ("40", "-0.4", "1")),
+                                      ("theta", ("0.5", "1", "1/2"), ("0.49", "1.5", "5")),
+                                      ("start-up steps", ("0", "8"), ("-8",)),
+                                      ("duration", ("1 day", "3600", "1e9"), ("-1", "0")),
+                                      ("y", ("-10", "-10 kPa", "-q"), ())):
+            pattern = re.compile(f'(name="{name}" type="(?:double|int)" value=)"[^"]*"')
+            for value in within + outside:
+                changed, count = pattern.subn(lambda match: f'{match[1]}"{value}"', text)
+                self.assertEqual(count, 1, name)
+                with self.subTest(f"{name} {value}"):
+                    self.assertEqual(self.refused(etree.fromstring(changed.encode())), value in outside)
+            for value in outside:
+                path = os.path.join(self.folder.name, "deck.xml")
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(pattern.sub(lambda match: f'{match[1]}"{value}"', text))
+                done = subprocess.run([PROGRAM, "check", path], capture_output=True, text=True)
+                self.assertEqual((done.returncode, "out of range" in done.stderr), (2, True), f"{name} {value}")
 
     def typos_of(self, tree):
         """[(what, element, attribute)] of a deck: words that the program knows, types, and values that are words."""
