@@ -69,13 +69,15 @@ std::vector<std::vector<double>> csv_columns(const std::string& file, const std:
     }
     const std::vector<std::string> row = cells(line, separator);
     if (row.size() != header.size())
-      fail(std::to_string(row.size()) + " cells, the first line has " + std::to_string(header.size()));
+      fail(std::to_string(row.size()) + " cells, the first line has " + std::to_string(header.size()) +
+           (separator == ',' && row.size() > header.size() ? "; decimals need a point" : ""));
     for (std::size_t k = 0; k < names.size(); ++k) {
       const std::string& cell = row[places[k]];
       char* end = nullptr;
       const double value = std::strtod(cell.c_str(), &end);
       if (cell.empty() || *end != '\0' || !std::isfinite(value))
-        fail("'" + cell + "' in column '" + names[k] + "' is not a number");
+        fail("'" + cell + "' in column '" + names[k] + "' is not a number" +
+             (cell.find(',') == std::string::npos ? "" : "; decimals need a point"));
       result[k].push_back(value);
     }
   }

@@ -60,8 +60,8 @@ DECKS = [
     Wrong("field", [(parameter("type", "string", "pore pressure"), parameter("type", "string", "value")),
                     (parameter("set", "string", "top"), parameter("set", "string", "top") + parameter("value", "double", "0") +
                      parameter("field", "string", "pore presure"))],
-          "boundary conditions/drained surface/type: this model has no field 'pore presure' (did you mean 'pore pressure'?)",
-          at='value="value"'),
+          "boundary conditions/drained surface/field: this model has no field 'pore presure' (did you mean 'pore pressure'?)",
+          at='value="pore presure"'),
     Wrong("contact type", ('value="frictionless penalty"', 'value="frictional penalty"'),
           "contacts/ball on clay/type: unknown contact type 'frictional penalty' (did you mean 'frictionless penalty'?); "
           "known types: penalty, frictionless penalty, node to segment, point to face, mortar"),

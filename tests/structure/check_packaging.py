@@ -10,9 +10,9 @@ import sys
 
 RECIPE = "packaging/spack/spack_repo/mudline/packages/mudline/package.py"
 # what Spack calls the libraries that CMake looks for
-SPACK = {"MPI": "mpi", "Trilinos": "trilinos", "PkgConfig": "pkgconfig", "tinyxml2": "tinyxml2", "muparser": "muparser",
-         "metis": "metis", "dmumps": "mumps", "mumps_common": "mumps", "HDF5": "hdf5", "gmsh": "gmsh", "CLI11": "cli11",
-         "GTest": "googletest", "Python3": "python"}
+SPACK = {"MPI": "mpi", "Trilinos": "trilinos", "PkgConfig": "pkgconfig", "tinyxml2": "tinyxml2", "HDF5": "hdf5",
+         "muparser": "muparser", "metis": "metis", "dmumps": "mumps", "mumps_common": "mumps", "gmsh": "gmsh",
+         "CLI11": "cli11", "GTest": "googletest", "Python3": "python"}
 TIMINGS = {"benchmark"}  # of programs that no package has
 OTHERS = {"c", "cxx", "cmake"}  # what CMake's project() asks for
 
@@ -22,7 +22,8 @@ def versions(root):
     places = {"CMakeLists.txt": r"project\(mudline VERSION (\S+)", "CITATION.cff": r"(?m)^version: (\S+)",
               "python/pyproject.toml": r'(?m)^version = "(.*)"', "CHANGELOG.md": r"(?m)^## (\d+\.\d+\.\d+)",
               RECIPE: r'version\("(.*)"\)', "docs/developer_guide.md": r"mudline@(\S+)"}
-    return {file: re.search(pattern, (root / file).read_text(encoding="utf-8"))[1] for file, pattern in places.items()}
+    return {file: re.search(pattern, (root / file).read_text(encoding="utf-8"))[1]
+            for file, pattern in places.items()}
 
 
 def wanted_by_cmake(root):
@@ -36,8 +37,8 @@ def wanted_by_cmake(root):
 def recipe_names(root):
     """The packages on which the recipe depends, without versions and variants, and without modules of Python."""
     tree = ast.parse((root / RECIPE).read_text(encoding="utf-8"))
-    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "depends_on"]
-    names = {re.match(r"[\w-]+", call.args[0].value)[0] for call in calls}
+    names = {re.match(r"[\w-]+", node.args[0].value)[0] for node in ast.walk(tree)
+             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "depends_on"}
     return {name for name in names if not name.startswith("py-")}
 
 

@@ -51,14 +51,19 @@ void set_given(const std::vector<GivenValue>& given, const Constraints& to, cons
 
 }  // namespace
 
+int conditioned_field(const Space& space, const Section& section, const std::string& name) {
+  const int field = space.find(name);
+  if (field < 0 || space.field(field).support == Support::apart)
+    section.fail("this model has no field '" + name + "'" + suggestion(name, space.mesh_fields()),
+                 section.has_parameter("field") ? "field" : "type");
+  return field;
+}
+
 void Prescribed::declare_set(Parameters& p) { p.required("set", set_, "mesh set (sides or nodes) on which it acts"); }
 
 void Prescribed::bind(const ConditionContext& context, const Section& section) {
   space_ = &context.space;
-  const std::vector<std::string> fields = space_->mesh_fields();
-  field_ = space_->find(field_name());
-  if (field_ < 0 || space_->field(field_).support == Support::apart)
-    section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
+  field_ = conditioned_field(*space_, section, field_name());
   const Mesh& mesh = space_->mesh();
   require_set(mesh, section, "set", set_);
   nodes_ = mesh.nodes_of_set(set_);

@@ -10,6 +10,10 @@
 
 namespace mudline {
 
+/// Number of the field on which the condition of `section` acts. One that the model lacks is reported at the parameter
+/// `field`, or at the `type` where that says the field.
+int conditioned_field(const Space& space, const Section& section, const std::string& name);
+
 /// Value of an unknown given by a function of the deck. Functions are evaluated on the host; a kernel sets the values.
 struct GivenValue {
   int dof, node;

@@ -5,6 +5,7 @@
 
 #include "discretisation/mesh_topology.hpp"
 #include "framework/side_loop.hpp"
+#include "physics/conditions/prescribed.hpp"
 
 namespace mudline {
 
@@ -54,10 +55,7 @@ void SideLoad::declare_set(Parameters& p) { p.required("set", set_, "side set on
 
 void SideLoad::bind(const ConditionContext& context, const Section& section) {
   space_ = &context.space;
-  const int field = space_->find(field_name());
-  if (field < 0 || space_->field(field).support == Support::apart)
-    section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), space_->mesh_fields()),
-                 "type");
+  const int field = conditioned_field(*space_, section, field_name());
   const Mesh& mesh = space_->mesh();
   require_boundary(mesh, section, "set", set_);
   const std::vector<Side>& sides = mesh.side_sets().at(set_);
