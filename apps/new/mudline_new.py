@@ -42,7 +42,7 @@ class Number:
         number = float(found[0]) if self.kind != "string" and found and found[0].strip(" +-.") else None
         may_be_zero = re.search(r"\b0\b", self.meaning)
         if number is not None and (number < 0 or (number == 0 and not may_be_zero)):
-            raise NewError(f"{self.name}: {value} is not {'0 or more' if may_be_zero else 'above 0'}")
+            raise NewError(f"--{self.name}: {value} is not {'0 or more' if may_be_zero else 'above 0'}")
 
     def line(self, value):
         return f'    <Parameter name="{self.name}" type="{self.kind}" value={quoteattr(value)}/>'
@@ -112,16 +112,29 @@ def deck(base, values, title):
 
 
 def check(text, path):
-    """What `mudline check` says about the deck. NewError where it refuses it."""
+    """What `mudline check` says about the deck, and its error, "" where it finds none."""
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
         file = Path(folder) / path.name
         file.write_text(text, encoding="utf-8")
         done = subprocess.run([os.environ.get("MUDLINE_PROGRAM", "mudline"), "check", file], capture_output=True, text=True)
     said = (done.stdout + done.stderr).replace(str(file), str(path))
     errors = [line[len("error: "):] for line in said.splitlines() if line.startswith("error: ")]
-    if done.returncode != 0:
-        raise NewError(errors[0] if errors else f"the deck cannot be checked:\n{said}")
-    return said
+    return said, "" if done.returncode == 0 else errors[0] if errors else f"the deck cannot be checked:\n{said}"
+
+
+def told_by_option(error, base, values, title, path):
+    """The error of a deck as one of the option from which it comes: of the number that it names, or else of the first
+    one whose default would mend it."""
+    place = re.compile(rf"{re.escape(str(path))}:\d+: variables/(\w+): ")
+    named = place.match(error)
+    if named and named[1] in (number.name for number in base.numbers):
+        return f"--{named[1]}: {error[named.end():]}"
+    error = re.sub(r"^.*?:\d+: ", "", error)  # a line of the program's own deck
+    for name, value in values.items():
+        others = {other: given for other, given in values.items() if other != name}
+        if not check(deck(base, others, title), path)[1]:
+            return f"--{name}: {value} makes no model: {error}"
+    return f"these numbers together make no model: {error}"
 
 
 def options_of(base, words):
@@ -159,8 +172,12 @@ def main():
             values = ask(base)
         for number in base.numbers:
             number.check(values.get(number.name, number.value))
-        text = deck(base, values, path.stem.replace("_", " "))
-        print(check(text, path), end="")
+        title = path.stem.replace("_", " ")
+        text = deck(base, values, title)
+        said, error = check(text, path)
+        if error:
+            raise NewError(told_by_option(error, base, values, title, path))
+        print(said, end="")
         path.write_text(text, encoding="utf-8")
         print(f"\n{path} is written. Next:\n  mudline run {path}\n  mudline report results/{path.stem}")
         return 0

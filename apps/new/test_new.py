@@ -86,10 +86,12 @@ class New(MudlineCase):
         self.refused("there is no 'pil' (did you mean 'pile'?)", "pil")
         self.refused("there is no 'x'; there are: " + ", ".join(KINDS), "x")
         self.refused("unrecognized arguments: --diamter 3 (did you mean '--diameter'?)", "pile", "--diamter", "3")
-        self.refused("diameter: -1 m is not above 0", "pile", "--diameter=-1 m")
-        self.refused("su_growth: 0 is not above 0", "pile", "--su_growth", "0")
-        self.refused("my_pile.xml:7: variables/diameter: given '4 kg', which measures something else than '0.4 m', the value that it "
+        self.refused("--diameter: -1 m is not above 0", "pile", "--diameter=-1 m")
+        self.refused("--su_growth: 0 is not above 0", "pile", "--su_growth", "0")
+        self.refused("--diameter: given '4 kg', which measures something else than '0.4 m', the value that it "
                      "replaces", "pile", "--diameter", "4 kg")
+        self.refused("--unit_weight: 30 kN/m3 makes no model: materials/clay/void ratio: -0.44410000000000005 is out of "
+                     "range; allowed: [0, inf)", "pile", "--diameter", "0.5 m", "--unit_weight", "30 kN/m3")
         self.refused("other/pile.xml: there is no folder 'other'", "pile", "-o", "other/pile.xml")
         _, before = self.written("column")
         done = self.new("column", "--height", "3 m")
