@@ -1,7 +1,7 @@
 # %% [markdown]
 # # A cone penetration test of one's own
-# A cone is pushed at constant rate into a block of saturated clay, ten metres below the seabed. The net cone resistance
-# over the undrained strength is the cone factor N_kt. Six diameters take some ten minutes on one core.
+# A cone is pushed at constant rate into a block of saturated clay, ten metres below the seabed. The net cone
+# resistance over the undrained strength is the cone factor N_kt.
 
 # %%
 import matplotlib.pyplot as plt
@@ -13,7 +13,8 @@ WAY = "6*diameter"  # of the cone
 SU_TOP, SU_GROWTH, DEPTH = 3e3, 1.5e3, 10.0  # undrained strength at the seabed [Pa], its growth [Pa/m]; depth [m]
 
 # %% [markdown]
-# The numbers that are not given keep the defaults that `mudline new cpt --help` tells. The cone is not held in the end.
+# The numbers that are not given keep the defaults that `mudline new cpt --help` tells. The cone is hardly held in the
+# end.
 
 # %%
 deck = mudline.Deck.based_on("cpt", su_top=SU_TOP, su_growth=SU_GROWTH, depth=DEPTH)
@@ -32,8 +33,7 @@ axes.set_ylabel("way of the cone [mm]")
 
 # %% [markdown]
 # The cone factor that the program tells is that resistance over the strength at the cone's depth. Within the first
-# diameters it grows still; limits for a cone that is deep lie between 9 and 15 in most clays (T. Lunne, P. K. Robertson
-# and J. J. M. Powell, Cone Penetration Testing in Geotechnical Practice, 1997).
+# diameters it grows still.
 
 # %%
 factor = result.results.value("sounding", "cone factor", "push")

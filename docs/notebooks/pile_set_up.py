@@ -1,8 +1,7 @@
 # %% [markdown]
 # # The set-up of a pile
-# A pile is jacked into saturated clay, rests, and is loaded. While it rests, the pore pressures dissipate and the clay
-# gains strength: the resistance after a year over that after a day is the set-up. Five diameters take some five minutes
-# on one core.
+# A pile is jacked into saturated clay, rests, and is loaded. While it rests, the pore pressures dissipate and the
+# clay gains strength: the resistance after a year over that after a day is the set-up.
 
 # %%
 import matplotlib.pyplot as plt
@@ -38,8 +37,8 @@ axes.legend()
 # The excess pressure on the wall falls with the rest; the resistances say what the pile gains by it.
 
 # %%
-first, last = (result.results.value("pile", "highest resistance", "load test") for result in (after_a_day, after_a_year))
-left = [result.results.value("pile", "excess pore pressure on the wall at the end", "set-up")
-        for result in (after_a_day, after_a_year)]
+both = after_a_day, after_a_year
+first, last = (result.results.value("pile", "highest resistance", "load test") for result in both)
+left = [result.results.value("pile", "excess pore pressure on the wall at the end", "set-up") for result in both]
 print(f"set-up {last / first:.3g}")
 assert left[1] < left[0]

@@ -1,7 +1,7 @@
 """The notebooks of docs/notebooks: they run from the first to the last cell and find what their last cell asserts.
 
-They are scripts with cells ("# %%"), which editors and Jupytext open as notebooks, and which plain Python runs. Two go
-a shorter way here than a reader's, one on a coarser mesh, so that the tests stay quick.
+They are scripts with cells ("# %%"), which editors and Jupytext open as notebooks, and which plain Python runs. Two
+go a shorter way here than a reader's, one on a coarser mesh, so that the tests stay quick.
 """
 import os
 import pathlib
@@ -31,8 +31,8 @@ class Notebooks(MudlineCase):
             text = text.replace(*SHORTER[name])
         script = self.write(f"{name}.py", text)
         more = {"PYTHONPATH": os.path.join(ROOT, "python"), "MUDLINE_PROGRAM": PROGRAM, "MPLBACKEND": "Agg"}
-        done = subprocess.run([sys.executable, "-B", "-W", "error", script], capture_output=True, text=True, cwd=self.folder,
-                              env={**os.environ, **more})
+        done = subprocess.run([sys.executable, "-B", "-W", "error", script], capture_output=True, text=True,
+                              cwd=self.folder, env={**os.environ, **more})
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout
 
