@@ -16,6 +16,7 @@ import sys
 import tempfile
 import textwrap
 from pathlib import Path
+from xml.etree import ElementTree
 from xml.sax.saxutils import escape, quoteattr
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "support"))
@@ -57,6 +58,7 @@ class Base:
         self.about = " ".join(text[text.index("<!--") + 4:text.index("-->")].split())
         given = text.partition(GIVEN)[2]
         end = FOLLOW.search(given)
+        self.branches = [branch.get("name") for branch in ElementTree.fromstring(text).iterfind("*[@name='branches']/*")]
         self.numbers = [Number(*found.groups()) for found in NUMBER.finditer(given[:end.start()] if end else given)]
 
     @property
@@ -179,7 +181,9 @@ def main():
             raise NewError(told_by_option(error, base, values, title, path))
         print(said, end="")
         path.write_text(text, encoding="utf-8")
-        print(f"\n{path} is written. Next:\n  mudline run {path}\n  mudline report results/{path.stem}")
+        results = [path.stem, *(f"{path.stem}_{branch.replace(' ', '_')}" for branch in base.branches)]
+        print(f"\n{path} is written. Next:\n  mudline run {path}\n  mudline report " +
+              " ".join(f"results/{result}" for result in results))
         return 0
     except NewError as error:
         print(f"error: {error}", file=sys.stderr)

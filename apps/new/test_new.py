@@ -50,6 +50,7 @@ class New(MudlineCase):
             said, text = self.written("pile", "--diameter", "0.5 m", "--su_top", "4 kPa", "--su_growth", growth, "--overwrite")
             self.assertIn('name="diameter" type="double" value="0.5 m"', text)
             self.assertIn("body 'pile': 0.5 m wide", said)
+            self.assertIn("\n  mudline report results/my_pile results/my_pile_longer_rest\n", said)
             clay = next(line for line in said.splitlines() if "material 'clay'" in line)
             lowest, highest = (float(word) for word in clay.partition("s_u ")[2].partition(" Pa")[0].split(" to "))
             depth = 2 + 8 * 0.5
