@@ -31,7 +31,7 @@ struct ContactContext {
   /// surface; absent: none.
   std::function<std::array<double, 6>(const State& state, int block, int element, const Point& at)> stress = {};
   /// Undrained strength [Pa] of the soil in an element of a block in a state, at a point on its surface; not a number
-  /// where the soil's law has none; absent: no soil has one.
+  /// where the law of the soil there has none; absent: no soil has one.
   std::function<double(const State& state, int block, int element, const Point& at)> undrained_strength = {};
   /// The mesh is the result of remeshing: its surface is where the bodies have left it, not where they start.
   bool remeshed = false;
@@ -43,7 +43,7 @@ struct ContactPartners {
   std::string opposite;                    // side set; empty: a body
   const RigidBody* body = nullptr;         // null: two surfaces
   bool shear = false;                      // friction may act along the surface
-  std::optional<Section> strength_reader;  // the law that reads the undrained strength of the surface's soil
+  std::optional<Section> strength_reader;  // the law that needs the undrained strength of the surface's soil
   bool pressure_reader = false;            // its laws or its film read the soil's pore pressure
 };
 

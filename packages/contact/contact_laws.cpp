@@ -50,7 +50,7 @@ void ContactLaws::note(const SoilQuantities& asked, const Section& law) {
   if (asked.undrained_strength && !strength_)
     law.fail("this law reads the soil's undrained strength, of which the model keeps none", "type");
   if (asked.mean_stress) stress_reader_ = law;
-  if (asked.undrained_strength) strength_reader_ = law;
+  if (asked.undrained_strength && !asked.strength_if_any) strength_reader_ = law;
   read_.pore_pressure = read_.pore_pressure || asked.pore_pressure;
   read_.temperature = read_.temperature || asked.temperature;
   read_.mean_stress = read_.mean_stress || asked.mean_stress;

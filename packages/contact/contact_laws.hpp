@@ -56,7 +56,7 @@ class ContactLaws {
   SoilQuantities read_;
   int temperature_ = -1;                     // field
   std::optional<Section> stress_reader_;     // the law that reads the mean stress
-  std::optional<Section> strength_reader_;   // and that reads the undrained strength
+  std::optional<Section> strength_reader_;   // and that needs the undrained strength
   std::vector<std::pair<int, int>> stress_;  // (block) state handle, points per element
 };
 

@@ -73,13 +73,18 @@ double undrained_strength(const Soil& soil, const State& state, int block, int e
   const SoilBlock& b = soil.blocks[block];
   const std::vector<double> weights = fit_weights(soil, state, block, element, at);
   const SoilPoints soil_at(soil, b, state);
-  double result = 0;
+  double result = 0, of_nearest = 0, least = std::numeric_limits<double>::max();
+  bool all = true;
   for (int q = 0; q < b.points; ++q) {
-    const std::optional<double> here = soil_at.soil_state(element * b.points + q).undrained_strength;
-    if (!here) return std::numeric_limits<double>::quiet_NaN();
-    result += weights[q] * *here;
+    const double here = soil_at.soil_state(element * b.points + q)
+                            .undrained_strength.value_or(std::numeric_limits<double>::quiet_NaN());
+    const double away = length(b.place(element, q, state.coordinates) - at);
+    if (away < least) of_nearest = here;
+    least = std::min(least, away);
+    all = all && !std::isnan(here);
+    result += weights[q] * here;
   }
-  return std::max(0.0, result);
+  return all ? std::max(0.0, result) : of_nearest;
 }
 
 }  // namespace mudline

@@ -38,8 +38,12 @@ void CoulombFriction::parameters(Parameters& p) {
         "Gain of the limit by 'alpha' for a tenfold speed along the surface");
   p.add("reference speed", reference_speed_, "m/s", non_negative(),
         "Speed along the surface up to which the limit by 'alpha' does not grow");
+  p.add("drained coefficient", drained_coefficient_, "-", non_negative(),
+        "With 'alpha': friction coefficient on the effective traction where the touching soil has no undrained "
+        "strength, as sand; absent: such soil is refused");
   capped_ = p.given("cap");
   by_soil_ = p.given("alpha");
+  drains_ = p.given("drained coefficient");
   interface_parameters(p);
 }
 
@@ -56,6 +60,7 @@ void CoulombFriction::check(const Section& section) const {
   pair("rate coefficient", "reference speed", reference_speed_, "m/s");
   if (section.has_parameter("rate coefficient") && !by_soil_)
     section.fail("has a meaning only together with 'alpha'", "rate coefficient");
+  if (drains_ && !by_soil_) section.fail("has a meaning only together with 'alpha'", "drained coefficient");
   if (section.has_parameter("full adhesion at") && !section.has_parameter("adhesion"))
     section.fail("has a meaning only together with an 'adhesion'", "full adhesion at");
   const auto not_negative = [&](const char* entry, const Function& value) {
@@ -69,10 +74,16 @@ void CoulombFriction::check(const Section& section) const {
 SoilQuantities CoulombFriction::reads() const {
   SoilQuantities result;
   result.undrained_strength = by_soil_;
+  result.strength_if_any = drains_;
+  result.pore_pressure = drains_ && !effective();
   return result;
 }
 
 ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
+  if (drains_ && std::isnan(at.soil.undrained_strength)) {
+    const ShearStrength result = drained(at);
+    return capped_ ? lesser(result, {std::max(0.0, cap_(at.time, at.position)), 0}) : result;
+  }
   double now = coefficient_, by_rate = 0;
   if (residual_slip_ > 0) now = residual_ + (now - residual_) * std::exp(-at.slip / residual_slip_);
   if (decay_speed_ > 0) {
@@ -90,6 +101,19 @@ ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
   if (normal > 0) result = {stuck + now * normal, by_normal + now, by_rate * normal};
   if (capped_) result = lesser(result, {std::max(0.0, cap_(at.time, at.position)), 0});
   return by_soil_ ? lesser(result, limit_of_soil(at)) : result;
+}
+
+ShearStrength CoulombFriction::drained(const FrictionPoint& at) const {
+  double traction = at.normal, slope = 1, pore_slope = 0;
+  if (!effective() && at.soil.pore_pressure > -at.normal) {
+    traction -= at.soil.pore_pressure;
+    pore_slope = -1;
+  } else if (!effective()) {  // a suction counts as much as the total traction at most
+    traction *= 2;
+    slope = 2;
+  }
+  if (!(traction > 0)) return {0, 0};
+  return {drained_coefficient_ * traction, drained_coefficient_ * slope, 0, drained_coefficient_ * pore_slope};
 }
 
 ShearStrength CoulombFriction::limit_of_soil(const FrictionPoint& at) const {

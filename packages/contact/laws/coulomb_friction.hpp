@@ -9,6 +9,8 @@ namespace mudline {
 ///     slip   the coefficient falls from the peak to the residual one by exp(-slip / residual slip)
 ///     speed  with a kinetic coefficient: kinetic + (coefficient - kinetic) exp(-rate / decay speed)
 ///     rate   R = 1 + rate coefficient log10(rate / reference speed), at least 1
+/// Where the touching soil has no s_u and a drained coefficient is given: strength = drained coefficient <normal -
+/// pore pressure>, at most the cap.
 class CoulombFriction : public Friction {
  public:
   void parameters(Parameters& p);
@@ -20,13 +22,16 @@ class CoulombFriction : public Friction {
  private:
   /// alpha times the touching soil's undrained strength, at the speed.
   ShearStrength limit_of_soil(const FrictionPoint& at) const;
+  /// On the effective traction, whatever the law's `normal` is.
+  ShearStrength drained(const FrictionPoint& at) const;
 
   double coefficient_ = 0, kinetic_ = 0, residual_ = 0;
   double decay_speed_ = 0;    // [m/s] 0: one coefficient at all speeds
   double residual_slip_ = 0;  // [m] 0: no residual coefficient
   Function adhesion_;
   double full_adhesion_at_ = 0;  // [Pa] normal traction; 0: the adhesion is there as soon as the surface touches
-  bool capped_ = false, by_soil_ = false;
+  bool capped_ = false, by_soil_ = false, drains_ = false;
+  double drained_coefficient_ = 0;  // [-] of soil without an undrained strength
   Function cap_, alpha_;
   double rate_coefficient_ = 0, reference_speed_ = 0;  // [-], [m/s]
 };

@@ -99,6 +99,9 @@ std::string find_problem(const Friction& law) {
           at.slip = law.reads_slip() ? slip : TouchingSoil::unknown;
           at.soil = soil_of(law.reads(), law.effective(), pressure);
           points.push_back(at);
+          if (!law.reads().strength_if_any) continue;
+          at.soil.undrained_strength = TouchingSoil::unknown;
+          points.push_back(at);
         }
   for (const FrictionPoint& at : points) {
     const ShearStrength here = law.strength(at);

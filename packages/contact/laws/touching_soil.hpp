@@ -16,6 +16,7 @@ struct TouchingSoil {
 /// Quantities of TouchingSoil that a law reads. A contact that does not know one of them refuses the law.
 struct SoilQuantities {
   bool pore_pressure = false, temperature = false, mean_stress = false, undrained_strength = false;
+  bool strength_if_any = false;  // takes soil without an undrained strength, too, where that is not a number
 };
 
 }  // namespace mudline

@@ -24,10 +24,10 @@ namespace mudline {
 ///     dh = D - rho^betar u (u:D)                                           where u:D > 0, dh = D elsewhere
 /// The void ratio follows the volume strain, 1 + e = (1 + e0) exp(tr eps).
 ///
-/// What the papers leave open: T is the effective stress less a `pressure shift`; e stays within ed and ei in the
-/// factors; fd is linear in e - ed where that is less than 1e-4 (ec - ed), for its slope is infinite at ed; F falls to
-/// zero from t = sqrt(2), where a principal stress is zero, to sqrt(2) + 0.1; between twice the minimum mean stress and
-/// that stress the fall of p dies away, so that p stays above it.
+/// What the papers leave open: T is the effective stress less a `pressure shift`, and starts from where return_start()
+/// brings it; e stays within ed and ei in the factors; fd is linear in e - ed where that is less than 1e-4 (ec - ed),
+/// for its slope is infinite at ed; F falls to zero from t = sqrt(2), where a principal stress is zero, to sqrt(2) +
+/// 0.1; between twice the minimum mean stress and that stress the fall of p dies away, so that p stays above it.
 ///
 /// Integration: embedded_steps.hpp over the strain increment, with control of the error. Code: tension positive, [Pa].
 struct Hypoplasticity {
@@ -66,6 +66,11 @@ struct Hypoplasticity {
   template <class T>
   KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
                                      double* state) const;
+
+  /// Brings a stress T that no path of the law reaches, as a transfer to another mesh may leave it, to the nearest p
+  /// and deviator that it may have: p to its minimum, the largest principal stress to `most_tension` p.
+  KOKKOS_INLINE_FUNCTION void return_start(double* stress) const;
+  static constexpr double most_tension = 0.1;  // [-] a sand at ed may come near it
 
   /// What density and pressure make of the rates.
   template <class T>
@@ -250,14 +255,27 @@ KOKKOS_INLINE_FUNCTION Hypoplasticity::Operators<T> Hypoplasticity::operators(co
   return r;
 }
 
+KOKKOS_INLINE_FUNCTION void Hypoplasticity::return_start(double* stress) const {
+  const double p = sym6::mean_pressure(stress);
+  const double raise = p < 0.5 * minimum_mean_stress ? minimum_mean_stress - p : 0.0;
+  for (int i = 0; i < 3; ++i) stress[i] -= raise;
+  double principal[3];
+  sym6::principal_values(stress, principal);
+  const double mean = -(p + raise);
+  if (!(principal[0] > -most_tension * mean)) return;
+  const double kept = (1.0 + most_tension) * -mean / (principal[0] - mean);
+  for (int i = 0; i < 6; ++i) stress[i] = i < 3 ? mean + kept * (stress[i] - mean) : kept * stress[i];
+}
+
 template <class T>
 KOKKOS_INLINE_FUNCTION bool Hypoplasticity::update(const SkeletonPoint& in, const T* strain, const double* state_old,
                                                    T* stress, double* state) const {
   T y[HypoplasticPath<T>::size];
-  const double p = sym6::mean_pressure(in.stress) + shift;
-  const double raise = p < 0.5 * minimum_mean_stress ? minimum_mean_stress - p : 0.0;  // after a transfer
+  double start[6];
+  for (int i = 0; i < 6; ++i) start[i] = in.stress[i] - (i < 3 ? shift : 0.0);
+  return_start(start);
   for (int i = 0; i < 6; ++i) {
-    y[i] = T(in.stress[i] - (i < 3 ? shift + raise : 0.0));
+    y[i] = T(start[i]);
     y[i + 6] = T(state_old[i]);
   }
   const HypoplasticPath<T> path(*this, strain, in.void_ratio);

@@ -251,6 +251,36 @@ TEST(Hypoplasticity, CyclesAtConstantVolumeLiquefy) {
   EXPECT_LT(point.p(), 0.1 * 5e4);
 }
 
+/// A transfer to another mesh may leave a mean stress that the shear stress beside it does not fit.
+TEST(Hypoplasticity, AStressThatNoSandBearsKeepsItsPressureAndLosesShear) {
+  Hypoplasticity law = sand(false);
+  law.prepare();
+  const auto started = [&](const Tensor& stress) {
+    SkeletonPoint in;
+    std::copy(stress.begin(), stress.end(), in.stress);
+    in.void_ratio = 0.75;
+    const Tensor none{};
+    const std::vector<double> old(Hypoplasticity::state_size, 0.0);
+    std::vector<double> state = old;
+    Tensor result;
+    EXPECT_TRUE(law.update(in, none.data(), old.data(), result.data(), state.data()));
+    return result;
+  };
+  EXPECT_EQ(started(anisotropic), anisotropic);
+  const Tensor slightly{0.5e3, -20e3, -20e3, 0, 0, 0};  // tension of less than a tenth of p
+  EXPECT_EQ(started(slightly), slightly);
+  const Tensor torn{12.75e3, -11.03e3, -17.18e3, 0, 0, -63.9e3};
+  const Tensor back = started(torn);
+  const double p = sym6::mean_pressure(torn.data());
+  double principal[3];
+  sym6::principal_values(back.data(), principal);
+  EXPECT_NEAR(sym6::mean_pressure(back.data()), p, 1e-9);
+  EXPECT_NEAR(principal[0], 0.1 * p, 1e-9);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR((back[i] + p) / back[5], (torn[i] + p) / torn[5], 1e-12);
+  const Tensor pulled = started({2e3, 1e3, 3e3, 0, 0, 5e3});
+  EXPECT_NEAR(sym6::mean_pressure(pulled.data()), law.minimum_mean_stress, 1e-9);
+}
+
 TEST(Hypoplasticity, VoidRatiosBeyondTheLimitsAreThoseOfTheLimits) {
   const Law law(sand(false));
   for (const double e : {0.3, 1.5}) {  // such void ratios come about on the way

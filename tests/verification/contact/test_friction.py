@@ -48,7 +48,7 @@ class Alpha(ContactCase):
              "contacts/face/friction/alpha=0.6")
     STIFF = {"type": "tresca", "rigidity index": 1e4, "Poisson's ratio": 0.3}  # so that it hardly moves
 
-    def pulled(self, skeleton, settings=(), ranks=1):
+    def pulled(self, skeleton, settings=(), ranks=1, decks=()):
         """History of the plate that is pulled along soil of this law, a section of a deck."""
         with open(self.deck("sliding_plate"), encoding="utf-8") as file:
             text = file.read()
@@ -56,7 +56,7 @@ class Alpha(ContactCase):
         end = text.index("</ParameterList>", start)
         law = deck_text("skeleton", skeleton)
         deck = self.write("pulled.xml", text[:start] + law + text[end + len("</ParameterList>"):])
-        return self.run_deck(deck, (*self.ALPHA, *settings), ranks, extra=("--overwrite",))
+        return self.run_deck([deck, *decks], (*self.ALPHA, *settings), ranks, extra=("--overwrite",), name="pulled")
 
     def test_strength_of_the_place(self):
         """The soil is strong enough not to shear itself (alpha < 1). Nodes at the ends, where the soil loses touch, and
@@ -78,6 +78,29 @@ class Alpha(ContactCase):
                                "contacts/face/friction/reference speed=1e-4"))
         stress = -history["contact/face/friction x"][-1] / history["contact/face/contact area"][-1]
         self.compare_values("shear stress", stress, 0.6 * 1e3 * 1.4, 1e-3)
+
+    def test_sand_beside_clay(self):
+        """Clay with alpha times its strength, drained sand with a coefficient on its effective traction. The border
+        goes through a column of elements. Nodes at the ends and within an element of the border are left out."""
+        sand = {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.3}
+        border = 1.1
+        beside = self.write("beside.xml", deck_text("beside", {"materials": {"sand": {
+            "top": f"x > {border} ? 1 : -1", "porosity": 0.4, "skeleton": sand, "fluid": {"type": "water"},
+            "permeability": {"type": "constant", "hydraulic conductivity": 1e-4}}}}))
+        clay = {**self.STIFF, "undrained strength": 1e3}
+        for traction, coefficient in (("total", 50), ("effective", 50), ("effective", 0.5)):
+            settings = ("mesh/distortion=0", "mesh/cells={16, 4}", "contacts/face/friction/drained coefficient=0.3",
+                        f"contacts/face/friction/on={traction}", f"contacts/face/friction/coefficient={coefficient}")
+            self.pulled(clay, settings, decks=(beside,))
+            x, pressure, shear = self.surface("pulled", 0.5, PRESSURE, SHEAR)
+            effective = pressure - 500.0
+            in_clay, in_sand = (x > 0.3) & (x < border - 0.3), (x > border + 0.3) & (x < 1.7)
+            self.assertGreater(min(in_clay.sum(), in_sand.sum()), 3)
+            limit = np.minimum(600.0, coefficient * (effective if traction == "effective" else pressure))
+            self.compare_values(f"clay, {traction}, {coefficient}", np.abs(shear / limit)[in_clay], 1.0, 1e-3)
+            self.compare_values(f"sand, {traction}, {coefficient}",
+                                np.abs(shear / (0.3 * effective))[in_sand], 1.0, 1e-3)
+            self.assertGreater(effective[in_sand].min(), 300.0)
 
     def test_set_up(self):
         """Clay that has consolidated under the plate has the strength of its new specific volume v: s_u = M/2 p0

@@ -19,11 +19,14 @@ history of every particle, equilibrium and the law give
     equilibrium   d sigma_r = k (sigma_r - sigma_h) (eta rho'/rho) dt
     law           d sigma_r = D_rr d e_r + D_rh d e_h   ->  d e_r,    rho' = exp(-e_r)
 
-started where the strain is 1e-6, with the elastic field u = B/r^k.
+started where the strain is 1e-6, with the elastic field u = B/r^k. In hypoplastic sand d sigma = D d e - N |d e|, so
+that d e_r is the root of a quadratic equation.
 """
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+
+from references.hypoplasticity import Sand
 
 TIGHT = dict(method="DOP853", rtol=1e-10, atol=1e-13)
 
@@ -123,6 +126,26 @@ class MohrCoulombRates:
         return D, lambda e: np.zeros(1)
 
 
+class HypoplasticRates:
+    """Sand of von Wolffersdorff without intergranular strain: d sigma = D d e - N |d e|. State: (void ratio)."""
+
+    def __init__(self, sand, void_ratio, start):
+        """sand: parameters of references/hypoplasticity.py."""
+        self.sand = Sand(**sand)
+        self.start, self.begin = np.array(start, dtype=float), np.array([void_ratio])
+
+    def yield_function(self, stress, state):
+        return 1.0  # never elastic
+
+    def stiffness(self, stress, state, plastic):
+        D = self.sand.linear_and_other(-stress, state[0])[0]
+        return D, lambda e: np.array([-(1 + state[0]) * e.sum()])
+
+    def other(self, stress, state):
+        """N."""
+        return self.sand.linear_and_other(-stress, state[0])[1]
+
+
 class Undrained:
     """Cavity of stretch up to `largest`. `far`: pore pressure far away."""
 
@@ -167,9 +190,15 @@ class Drained:
             D, state_rate = law.stiffness(stress, state, plastic)
             d_hoop = ratio - 1
             other = D[0, 1] + (D[0, 2] if k == 2 else 0.0)
-            d_radial = (k * (stress[0] - stress[1]) * ratio - other * d_hoop) / D[0, 0]
+            wanted = k * (stress[0] - stress[1]) * ratio - other * d_hoop
+            N = law.other(stress, state) if hasattr(law, "other") else np.zeros(3)
+            # D_rr x - N_r |(x, hoop)| = wanted, with D_rr > N_r
+            square, hoops = D[0, 0] ** 2 - N[0] ** 2, k * d_hoop ** 2
+            root = N[0] * np.sqrt(wanted ** 2 + square * hoops)
+            d_radial = (D[0, 0] * wanted + root) / square
             strain = np.array([d_radial, d_hoop, d_hoop if k == 2 else 0.0])
-            return np.concatenate((D @ strain, state_rate(strain), [d_radial, d_hoop]))
+            change = D @ strain - N * np.linalg.norm(strain)
+            return np.concatenate((change, state_rate(strain), [d_radial, d_hoop]))
 
         start = np.concatenate((law.start + shear * e, law.begin, e[:2]))
         enough = lambda t, y, plastic: -y[4 + n] - np.log(largest) - 1e-6

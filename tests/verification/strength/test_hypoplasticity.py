@@ -11,11 +11,9 @@ import numpy as np
 from compared_case import problem
 from mudline_case import ROOT, MudlineCase, point_deck
 from references import hypoplasticity as reference
+from strength_case import SAND
 
 ALLOWED = 5e-3
-SAND = {"type": "hypoplasticity", "critical friction angle [deg]": 33.0, "granular hardness": 1e9,
-        "compression exponent": 0.25, "densest void ratio": 0.55, "critical void ratio": 0.95,
-        "loosest void ratio": 1.05, "peak exponent": 0.25, "stiffness exponent": 1.5}
 RANGE = {"intergranular strain range": 1e-4, "reversal stiffness ratio": 5.0, "turn stiffness ratio": 2.0,
          "intergranular strain exponent": 0.5, "stiffness decay exponent": 6.0}
 P0 = 1e5
@@ -116,6 +114,22 @@ class HypoplasticityTests(MudlineCase):
         area = np.pi * np.exp(np.log((1 + table[:, 3]) / 1.65) + table[:, 0])
         force = np.interp(-np.log1p(-0.1 * history.time), table[:, 0], -table[:, 2] * area)
         self.close("finite elements: force", -history["reaction/platen y"][1:], force[1:], ALLOWED * force.max())
+
+    def test_liquefaction(self):
+        """Effective stresses at the turns of inputs/materials/liquefaction.xml, and the cycle in which the pore
+        pressure comes to 90 % of the cell pressure."""
+        history = self.run_deck(os.path.join(ROOT, "inputs", "materials", "liquefaction.xml"))
+        self.assertLess(history["step/newton iterations"].mean(), 5)
+        sand = reference.Sand(**reference.HOCHSTETTEN, **reference.INTERGRANULAR)
+        pore = history["probe/specimen/pore pressure"]
+        count = int(history.time[-1] + 0.5)
+        table = reference.turns(sand, reference.undrained, P0, 0.75, 30e3, count)
+        # at a turn the radial effective stress is the cell pressure less the pore pressure
+        at = np.interp(np.arange(count) + 0.5, history.time, pore)
+        self.close("pore pressure at the turns", at, P0 + table[:, 0], ALLOWED * P0)
+        self.assertGreaterEqual(count, 3)
+        self.assertLess(at.max(), 0.9 * P0)
+        self.assertGreater(pore[-1], 0.9 * P0)
 
 
 if __name__ == "__main__":
