@@ -19,6 +19,7 @@ void add(const PairSums& from, PairSums& to) {
     to.pressure[a] += from.pressure[a];
     to.gap[a] += from.gap[a];
     to.shear[a] += from.shear[a];
+    to.slip[a] += from.slip[a];
     to.stretch[a] += from.stretch[a];
     for (int b = 0; b < side_multipliers; ++b) to.touching[a][b] += from.touching[a][b];
   }
@@ -56,7 +57,8 @@ void PairContact::declare_state(StateStore& store) {
                                               {"slides", 1, "m", Transfer::total},
                                               {"area", 1, "m2", Transfer::total},
                                               {"misfit", 1, "N/m", Transfer::total},
-                                              {"stretch", 1, "N/m", Transfer::total}};
+                                              {"stretch", 1, "N/m", Transfer::total},
+                                              {"slip", 1, "m", Transfer::value, 0.0}};
   const auto corners =
       std::make_shared<SurfacePoints>(slave_->mesh(), deck_.slave, SurfacePoints::At::corners, deck_.quadrature_degree);
   const auto on_corners = [&](const std::string& what, const std::vector<StateVariable>& variables) {
@@ -126,15 +128,19 @@ PairLaw PairContact::law(const StepView& view, int slave) const {
     result.pressure_old[a] = view.committed->arrays[sides_](side_multipliers * slave + a, column::pressure);
     const double end = 2 * a - 1;
     result.soil[a] = laws_.soil(*view.committed, slave_->sides()[slave], &end);
+    const double slip = view.committed->arrays[sides_](side_multipliers * slave + a, column::slip);
+    result.slip_old[a] = laws_.friction() && laws_.friction()->reads_slip() ? slip : TouchingSoil::unknown;
     result.normal[a] = multipliers(side_multipliers * slave + a, 0);
     result.shear[a] = multipliers(side_multipliers * slave + a, 1);
   }
   return result;
 }
 
-void PairContact::write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const {
+void PairContact::write_side(const StepView& view, int slave, const PairSums& sums, const double (&force)[2]) const {
+  const State& trial = *view.trial;
   const PointView &rows = trial.arrays[sides_], &multipliers = trial.arrays[multipliers_];
   const auto pressure = corner_values(sums.touching, sums.pressure), shear = corner_values(sums.touching, sums.shear);
+  const auto slip = corner_values(sums.touching, sums.slip);
   const auto whole = mass(slave, trial.coordinates);
   for (int a = 0; a < side_multipliers; ++a) {
     const int row = side_multipliers * slave + a, first = side_multipliers * slave;
@@ -149,6 +155,7 @@ void PairContact::write_side(const State& trial, int slave, const PairSums& sums
     rows(row, column::misfit) =
         sums.pressure[a] - whole[a][0] * multipliers(first, 0) - whole[a][1] * multipliers(first + 1, 0);
     rows(row, column::stretch) = sums.stretch[a];
+    rows(row, column::slip) = view.committed->arrays[sides_](row, column::slip) + std::max(0.0, slip[a]);
   }
 }
 
@@ -183,7 +190,7 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
     }
     heat += sums.heat;
     damped += sums.damped;
-    write_side(*view.trial, s, sums, force);
+    write_side(view, s, sums, force);
   }
   view.trial->arrays[heat_](0, 0) = heat;
   view.trial->arrays[heat_](0, 1) = damped;
@@ -239,10 +246,6 @@ void PairContact::check(const Section& section) {
   check_heat_share(context_, section, laws_);
   laws_.check_two_surfaces(section);
   laws_.check_linear(section, deck_.augmented(), false);
-  if (laws_.friction() && laws_.friction()->reads_slip())
-    section.section("friction")
-        .fail("this law reads the path slid, which a mortar contact does not keep; allowed with it: node to segment",
-              "type");
   slave_ = std::make_unique<ContactSurface>(mesh, deck_.slave);
   master_ = std::make_unique<MasterSurface>(mesh, deck_.master);
   nodes_ = order(mesh.blocks().front().shape) + 1;

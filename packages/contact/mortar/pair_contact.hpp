@@ -32,9 +32,9 @@ struct PairParameters : TwoSurfaceParameters {
 ///
 /// State arrays, a row per corner of each slave side: "contact/<name>/sides" (mean gap; pressure and shear stress as
 /// linear fields over the touching part; the side's deepest point; halves of the force on the slave, of the sliding
-/// length and of the touching area; remaining misfit and stretch of Uzawa's method), "contact/<name>/multipliers"
-/// (normal and shear), "contact/<name>/penalty" (a row per slave side, frozen when the contact first starts a step),
-/// "contact/<name>/heat" (of friction and of damping).
+/// length and of the touching area; remaining misfit and stretch of Uzawa's method; path slid),
+/// "contact/<name>/multipliers" (normal and shear), "contact/<name>/penalty" (a row per slave side, frozen when the
+/// contact first starts a step), "contact/<name>/heat" (of friction and of damping).
 class PairContact : public Contact {
  public:
   explicit PairContact(const ContactContext& context) : context_(context) {}
@@ -73,7 +73,7 @@ class PairContact : public Contact {
   PairCoordinates coordinates(const Pair& pair, const ConstCoordinateView& x) const;
   /// Mass matrix of the multipliers' shapes on a slave side [m].
   Mat<double, side_multipliers> mass(int slave, const ConstCoordinateView& x) const;
-  void write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const;
+  void write_side(const StepView& view, int slave, const PairSums& sums, const double (&force)[2]) const;
   /// Adds the heat of friction between two sides to correction_.
   void add_heat(const StepView& view, const Pair& pair, const PairForce& force);
   Misfit misfit(const State& state) const;
@@ -99,7 +99,7 @@ class PairContact : public Contact {
 
 /// Columns of the array "sides".
 namespace pair_column {
-enum : int { gap, pressure, shear, deepest, force_x, force_y, slides, area, misfit, stretch };
+enum : int { gap, pressure, shear, deepest, force_x, force_y, slides, area, misfit, stretch, slip };
 }
 
 }  // namespace mudline

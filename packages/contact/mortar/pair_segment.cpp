@@ -187,7 +187,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   motion.shift = multiplier / law.penalty;
   motion.soil = soil_between(law.soil, value(point.xi));
   motion.pore_pressure = T(motion.soil.pore_pressure);
-  motion.slip_old = TouchingSoil::unknown;  // quadrature points have no history
+  motion.slip_old = value(point.shape[0]) * law.slip_old[0] + value(point.shape[1]) * law.slip_old[1];
   motion.area = point.area;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
   const Vec<T, 2> was = sides.slave_old.point(point.xi), projection_was = sides.master_old.point(point.projection.eta);
@@ -222,6 +222,7 @@ void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const ContactMotio
     const double share = weight * value(point.shape[a]);
     sums.pressure[a] += share * value(now.pressure);
     sums.shear[a] += share * value(now.shear);
+    sums.slip[a] += share * now.slip;
     if (law.friction && !now.slides) sums.stretch[a] += share * (value(now.shear) - value(motion.shear_old));
     for (int b = 0; b < side_multipliers; ++b) sums.touching[a][b] += share * value(point.shape[b]);
   }

@@ -24,6 +24,7 @@ struct PairLaw : ContactPointLaw {
   double capture = 0;   // [m] points farther away than this, in front or behind, are not paired
   double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners
   double pressure_old[side_multipliers] = {};  // [Pa] at the corners at the start of the step, for damping
+  double slip_old[side_multipliers] = {};      // [m] path slid so far at the corners; not a number: not read
   TouchingSoil soil[side_multipliers];         // of the slave, at its corners
 };
 
@@ -35,6 +36,7 @@ struct PairSums {
   Mat<double, side_multipliers> touching = {};  // shape times shape where it presses
   double shear[side_multipliers] = {},
          stretch[side_multipliers] = {};  // [N/m]; of shear less multiplier, where it sticks
+  double slip[side_multipliers] = {};     // path slid in this step [m2]
   double sliding = 0;                     // length that slides [m]
   double area = 0;                        // pressing area [m2], with the circumference
   double heat = 0;                        // [J] of friction in this step

@@ -151,8 +151,6 @@ TEST(TouchingSoil, WhatAContactCannotTellIsRefused) {
       "contacts/c/friction/type: this law reads the soil's effective stress");
   has(message(flat, "penalty", contact_parameters("nodes", eps) + with("per strength"), false),
       "contacts/c/friction/type: this law reads the soil's undrained strength");
-  has(message(two_cells(), "mortar", two_sides(with("per slip")), false),
-      "contacts/c/friction/type: this law reads the path");
   has(message(two_cells(), "mortar", two_sides(with("per pore pressure")), false),
       "contacts/c/friction/type: this law reads the pore pressure");
   has(message(two_cells(), "mortar", two_sides(reading_normal_law(0.1)), false), "contacts/c/normal law/type: ");

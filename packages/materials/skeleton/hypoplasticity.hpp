@@ -67,10 +67,11 @@ struct Hypoplasticity {
   KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
                                      double* state) const;
 
-  /// Brings a stress T that no path of the law reaches, as a transfer to another mesh may leave it, to the nearest p
-  /// and deviator that it may have: p to its minimum, the largest principal stress to `most_tension` p.
+  /// Brings a stress T that no path of the law reaches, as a transfer to another mesh may leave it, back: p below half
+  /// of its minimum to that, and where t is above `most_shear`, at which F is long zero, the deviator to the size at
+  /// which the largest principal stress is zero.
   KOKKOS_INLINE_FUNCTION void return_start(double* stress) const;
-  static constexpr double most_tension = 0.1;  // [-] a sand at ed may come near it
+  static constexpr double most_shear = 1.6142135623730951;  // [-] of t, sqrt(2) + 0.2
 
   /// What density and pressure make of the rates.
   template <class T>
@@ -256,15 +257,17 @@ KOKKOS_INLINE_FUNCTION Hypoplasticity::Operators<T> Hypoplasticity::operators(co
 }
 
 KOKKOS_INLINE_FUNCTION void Hypoplasticity::return_start(double* stress) const {
-  const double p = sym6::mean_pressure(stress);
+  double p = sym6::mean_pressure(stress);
   const double raise = p < 0.5 * minimum_mean_stress ? minimum_mean_stress - p : 0.0;
   for (int i = 0; i < 3; ++i) stress[i] -= raise;
-  double principal[3];
+  p += raise;
+  double deviator[6], principal[3];
+  sym6::deviator(stress, deviator);
+  const double t = ::sqrt(3.0 * sym6::norm_squared(deviator)) / (3.0 * p);
+  if (!(t > most_shear)) return;
   sym6::principal_values(stress, principal);
-  const double mean = -(p + raise);
-  if (!(principal[0] > -most_tension * mean)) return;
-  const double kept = (1.0 + most_tension) * -mean / (principal[0] - mean);
-  for (int i = 0; i < 6; ++i) stress[i] = i < 3 ? mean + kept * (stress[i] - mean) : kept * stress[i];
+  const double kept = p / (principal[0] + p);
+  for (int i = 0; i < 6; ++i) stress[i] = kept * deviator[i] - (i < 3 ? p : 0.0);
 }
 
 template <class T>

@@ -267,15 +267,15 @@ TEST(Hypoplasticity, AStressThatNoSandBearsKeepsItsPressureAndLosesShear) {
     return result;
   };
   EXPECT_EQ(started(anisotropic), anisotropic);
-  const Tensor slightly{0.5e3, -20e3, -20e3, 0, 0, 0};  // tension of less than a tenth of p
-  EXPECT_EQ(started(slightly), slightly);
+  const Tensor pulled_a_little{0.5e3, -20e3, -20e3, 0, 0, 0};  // t is 0.73
+  EXPECT_EQ(started(pulled_a_little), pulled_a_little);
   const Tensor torn{12.75e3, -11.03e3, -17.18e3, 0, 0, -63.9e3};
   const Tensor back = started(torn);
   const double p = sym6::mean_pressure(torn.data());
   double principal[3];
   sym6::principal_values(back.data(), principal);
   EXPECT_NEAR(sym6::mean_pressure(back.data()), p, 1e-9);
-  EXPECT_NEAR(principal[0], 0.1 * p, 1e-9);
+  EXPECT_NEAR(principal[0], 0.0, 1e-9 * p);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR((back[i] + p) / back[5], (torn[i] + p) / torn[5], 1e-12);
   const Tensor pulled = started({2e3, 1e3, 3e3, 0, 0, 5e3});
   EXPECT_NEAR(sym6::mean_pressure(pulled.data()), law.minimum_mean_stress, 1e-9);

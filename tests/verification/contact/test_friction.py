@@ -1,11 +1,12 @@
 """Coulomb friction: full sliding on effective and total traction, and partial slip under a cylinder."""
+import os
 import unittest
 
 import numpy as np
 
 from compared_case import problem
 from contact_case import PRESSURE, SHEAR, ContactCase
-from mudline_case import deck_text
+from mudline_case import deck_text, program
 from references import contact as reference
 
 
@@ -101,6 +102,10 @@ class Alpha(ContactCase):
             self.compare_values(f"sand, {traction}, {coefficient}",
                                 np.abs(shear / (0.3 * effective))[in_sand], 1.0, 1e-3)
             self.assertGreater(effective[in_sand].min(), 300.0)
+        settings = [word for setting in self.ALPHA for word in ("--set", setting)]
+        done = program(["check", os.path.join(self.folder, "pulled.xml"), beside, *settings], 1, self.folder)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertIn("the soil at 'top'; the law 'linear elastic' of material 'sand' has none", done.stderr)
 
     def test_set_up(self):
         """Clay that has consolidated under the plate has the strength of its new specific volume v: s_u = M/2 p0

@@ -7,9 +7,9 @@ import numpy as np
 
 from compared_case import problem
 from contact_case import PRESSURE
-from mudline_case import program
+from mudline_case import deck_text, program
 from references import contact as reference
-from sliding_blocks import FORCES, HEAT_OF_STEPS, SlidingBlocks
+from sliding_blocks import FORCES, HEAT_OF_STEPS, SLIDE, SlidingBlocks
 
 
 @problem("exact", "Hertz, after Johnson (1985); uniform stress", "Two deformable surfaces, mortar")
@@ -67,6 +67,26 @@ class Pairs(SlidingBlocks):
         other = self.table([os.path.join(self.folder, "slide.xml")], "--set", "stages/slide/time step/initial=0.0625")[1]
         self.assertNotEqual(len(history.time), len(other.time))
         self.assert_same_run(history, other, FORCES, "other steps", steps=HEAT_OF_STEPS)
+
+    @problem("exact", "Coulomb: shear stress is the coefficient after the path slid times the pressure")
+    def test_coefficient_that_falls_with_the_slip(self):
+        """The path slid follows from the heat. The blocks are so stiff that they slide everywhere alike, and a step takes
+        the coefficient of its start."""
+        first, residual, length = 0.3, 0.15, 5e-5
+        stiff = {"skeleton": {"Young's modulus": 1e9}}
+        weaker = self.write("weaker.xml", deck_text("weaker", {
+            "materials": {"lower": stiff, "upper": stiff},
+            "contacts": {"face": {"friction": {"residual coefficient": residual, "residual slip": length}}},
+            "stages": {"slide": {"time step": {"initial": 0.03125, "maximum": 0.03125}}}}))
+        _, history = self.table([self.write("slide.xml", SLIDE), weaker])
+        drag, force = -history["contact/face/force on slave x"], history["contact/face/force on slave y"]
+        heat = np.diff(history["contact/face/friction heat"], prepend=0.0)
+        path = np.cumsum(np.divide(heat, drag, out=np.zeros_like(heat), where=heat > 0))
+        late = np.flatnonzero(history.time > 1.5)  # all slides
+        exact = residual + (first - residual) * np.exp(-path[late - 1] / length)
+        self.compare_values("coefficient", (drag / force)[late], exact, 0.02)
+        self.assertGreater(path[-1], 2 * length)
+        self.assertLess(drag[-1] / force[-1], 0.6 * first)
 
     @problem("behaviour")
     def test_errors(self):
