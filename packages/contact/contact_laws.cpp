@@ -96,7 +96,6 @@ ContactPointLaw ContactLaws::in_step(const StepView& view, double damping) const
   law.friction = friction_.get();
   if (friction_) {
     law.tangential_factor = friction_->tangential_factor();
-    law.effective = friction_->effective();
   }
   law.time = view.time_end;
   law.dt = view.dt;

@@ -22,7 +22,6 @@ struct ContactPointLaw {
   const NormalLaw* normal_law = &linear_normal_law;
   const Friction* friction = nullptr;  // null: smooth
   double tangential_factor = 1;        // [-] tangential over normal penalty
-  bool effective = true;               // friction grows with the effective traction, else with the total one
   double penalty = 0;                  // [Pa/m]
   double touch = 0;           // [m] below this gap a point counts as pressing: it has stiffness, even without force
   bool first_guess = false;   // friction is linear: what stuck sticks, what slid slides on
@@ -157,12 +156,14 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, 
   T normal = out.pressure;
   // Without a film surfaces separate at zero traction, whatever the suction is. Suction counts at most as much as the
   // traction, so that friction ends where contact does.
-  if (law.effective && !law.film)
+  const TouchingSoil soil = soil_at(point);
+  const bool effective = law.friction->effective_on(soil);
+  if (effective && !law.film)
     normal = value(point.pore_pressure) > -value(normal) ? normal - point.pore_pressure : 2.0 * normal;
-  if (!law.effective && law.film) normal = normal + point.pore_pressure;
+  if (!effective && law.film) normal = normal + point.pore_pressure;
   const T rate = magnitude(travel) / law.dt;
   const ShearStrength strength =
-      law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil_at(point)});
+      law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil});
   const double excess = value(magnitude(out.shear)) - strength.value;
   out.slides = !(excess <= 0);  // a strength of NaN is not hidden
   if (!out.slides) return;

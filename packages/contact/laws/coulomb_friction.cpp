@@ -80,10 +80,15 @@ SoilQuantities CoulombFriction::reads() const {
 }
 
 ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
-  if (drains_ && std::isnan(at.soil.undrained_strength)) {
-    const ShearStrength result = drained(at);
-    return capped_ ? lesser(result, {std::max(0.0, cap_(at.time, at.position)), 0}) : result;
-  }
+  const bool drained = drained_on(at.soil);
+  ShearStrength result{0, 0};
+  if (!drained) result = by_coefficient(at);
+  if (drained && at.normal > 0) result = {drained_coefficient_ * at.normal, drained_coefficient_};
+  if (capped_) result = lesser(result, {std::max(0.0, cap_(at.time, at.position)), 0});
+  return by_soil_ && !drained ? lesser(result, limit_of_soil(at)) : result;
+}
+
+ShearStrength CoulombFriction::by_coefficient(const FrictionPoint& at) const {
   double now = coefficient_, by_rate = 0;
   if (residual_slip_ > 0) now = residual_ + (now - residual_) * std::exp(-at.slip / residual_slip_);
   if (decay_speed_ > 0) {
@@ -97,23 +102,12 @@ ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
     by_normal = adhesion / full_adhesion_at_;
     stuck = by_normal * normal;
   }
-  ShearStrength result{stuck, 0};
-  if (normal > 0) result = {stuck + now * normal, by_normal + now, by_rate * normal};
-  if (capped_) result = lesser(result, {std::max(0.0, cap_(at.time, at.position)), 0});
-  return by_soil_ ? lesser(result, limit_of_soil(at)) : result;
+  if (!(normal > 0)) return {stuck, 0};
+  return {stuck + now * normal, by_normal + now, by_rate * normal};
 }
 
-ShearStrength CoulombFriction::drained(const FrictionPoint& at) const {
-  double traction = at.normal, slope = 1, pore_slope = 0;
-  if (!effective() && at.soil.pore_pressure > -at.normal) {
-    traction -= at.soil.pore_pressure;
-    pore_slope = -1;
-  } else if (!effective()) {  // a suction counts as much as the total traction at most
-    traction *= 2;
-    slope = 2;
-  }
-  if (!(traction > 0)) return {0, 0};
-  return {drained_coefficient_ * traction, drained_coefficient_ * slope, 0, drained_coefficient_ * pore_slope};
+bool CoulombFriction::drained_on(const TouchingSoil& soil) const {
+  return drains_ && std::isnan(soil.undrained_strength);
 }
 
 ShearStrength CoulombFriction::limit_of_soil(const FrictionPoint& at) const {

@@ -40,6 +40,8 @@ class Friction {
   double tangential_factor() const { return tangential_factor_; }
   /// Whether FrictionPoint::normal is the total traction less the pore pressure of the soil at the interface.
   bool effective() const { return traction_ == Traction::effective; }
+  /// The same where this soil touches.
+  virtual bool effective_on(const TouchingSoil&) const { return effective(); }
 
  protected:
   /// Declares the parameters that all laws share.

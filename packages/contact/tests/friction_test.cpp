@@ -201,26 +201,27 @@ TEST(Friction, AlphaLimitsByTheSoilsStrengthAndGrowsWithTheSpeed) {
 }
 
 TEST(Friction, SoilWithoutStrengthHasADrainedCoefficientOnTheEffectiveTraction) {
-  const auto strength = [](const Friction& law, double normal, double pore) {
+  const auto strength = [](const Friction& law, double normal) {
     FrictionPoint point;
     point.normal = normal;
-    point.soil.pore_pressure = pore;
     return law.strength(point);  // the undrained strength is not a number
   };
+  TouchingSoil sand, clay;
+  clay.undrained_strength = 5e3;
   const std::string drained = number_parameter("alpha", 0.5) + number_parameter("drained coefficient", 0.3);
   const auto effective = law_of(coulomb(1, drained)),
              total = law_of(coulomb(1, drained + text_parameter("on", "total")));
   EXPECT_TRUE(total->reads().strength_if_any);
   EXPECT_TRUE(total->reads().pore_pressure);
   EXPECT_FALSE(law_of(coulomb(1, number_parameter("alpha", 0.5)))->reads().strength_if_any);
-  EXPECT_NEAR(strength(*effective, 4e3, 1e3).value, 1.2e3, 1e-9);
-  EXPECT_NEAR(strength(*total, 4e3, 1e3).value, 0.9e3, 1e-9);
-  EXPECT_NEAR(strength(*total, 4e3, 1e3).slope, 0.3, 1e-12);
-  EXPECT_NEAR(strength(*total, 4e3, 1e3).pore_slope, -0.3, 1e-12);
-  EXPECT_NEAR(strength(*total, 4e3, -9e3).value, 2.4e3, 1e-9);  // a suction counts as the traction at most
-  EXPECT_NEAR(strength(*total, 4e3, -9e3).slope, 0.6, 1e-12);
-  EXPECT_EQ(strength(*total, 4e3, 5e3).value, 0);
-  EXPECT_NEAR(strength(*law_of(coulomb(1, drained + number_parameter("cap", 500))), 4e3, 0).value, 500, 1e-9);
+  EXPECT_TRUE(total->effective_on(sand));
+  EXPECT_FALSE(total->effective_on(clay));
+  EXPECT_TRUE(effective->effective_on(sand));
+  EXPECT_TRUE(effective->effective_on(clay));
+  EXPECT_NEAR(strength(*total, 4e3).value, 1.2e3, 1e-9);
+  EXPECT_NEAR(strength(*total, 4e3).slope, 0.3, 1e-12);
+  EXPECT_EQ(strength(*total, -4e3).value, 0);
+  EXPECT_NEAR(strength(*law_of(coulomb(1, drained + number_parameter("cap", 500))), 4e3).value, 500, 1e-9);
   EXPECT_EQ(slope_problem(*effective), "");
   EXPECT_EQ(slope_problem(*total), "");
 }
