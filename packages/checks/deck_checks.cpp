@@ -174,7 +174,8 @@ void check_read_strengths(const Model& model) {
     if (without < 0) continue;
     const SoilMaterial& material = *model.soil()->materials[static_cast<std::size_t>(without)];
     partners.strength_reader->fail("this law reads the undrained strength of the soil at '" + partners.surface +
-                                       "'; the law '" + material.law + "' of material '" + material.name + "' has none",
+                                       "'; the law '" + material.law + "' of material '" + material.name +
+                                       "' has none; 'coulomb' takes such soil with a 'drained coefficient'",
                                    "type");
   }
 }

@@ -217,7 +217,8 @@ DECKS = [
               [(BODY, BODY + section("friction") + parameter("type", "string", "coulomb")
                 + parameter("coefficient", "double", "1.0") + parameter("alpha", "double", "0.5") + "</ParameterList>")],
               "contacts/face/friction/type: this law reads the undrained strength of the soil at 'top'; the law "
-              "'linear elastic' of material 'soil' has none", at=parameter("type", "string", "coulomb"), ranks=BOTH),
+              "'linear elastic' of material 'soil' has none; 'coulomb' takes such soil with a 'drained coefficient'",
+              at=parameter("type", "string", "coulomb"), ranks=BOTH),
     with_ball("full adhesion of none",
               [(BODY, BODY + section("friction") + parameter("type", "string", "coulomb")
                 + parameter("coefficient", "double", "0.5") + parameter("full adhesion at", "double", "1e3")
