@@ -72,12 +72,16 @@ bool launched() {
 
 /// A process that nobody launched has no other to talk to. Open MPI would start a daemon for it, load the drivers of
 /// all networks (one of which sleeps for 0.2 s) and look for devices, which took half of the CPU time of a start; and
-/// it would give the core away in every look for messages. What the environment says of drivers and devices stays.
+/// it would give the core away in every look for messages. Without the daemon all processes that are alone would share
+/// one session folder and take it away from each other, so they make none; they need no shared file pointers, which
+/// would lie there. What the environment says of drivers and devices stays.
 void start_alone() {
   constexpr const char* settings[][2] = {{"OMPI_MCA_ess_singleton_isolated", "1"},
+                                         {"OMPI_MCA_orte_create_session_dirs", "0"},
                                          {"OMPI_MCA_pml", "ob1"},
                                          {"OMPI_MCA_btl", "self"},
                                          {"OMPI_MCA_osc", "sm"},
+                                         {"OMPI_MCA_sharedfp", "individual"},
                                          {"HWLOC_COMPONENTS", "-pci,-linuxio,-opencl,-gl,-x86"}};
   for (const auto& [name, value] : settings) setenv(name, value, 0);
   setenv("OMPI_MCA_mpi_yield_when_idle", "0", 1);

@@ -174,6 +174,17 @@ class Endings(MudlineCase):
         with open(self.result("whole", ".csv"), "rb") as whole, open(self.result("parts", ".csv"), "rb") as parts:
             self.assertEqual(whole.read(), parts.read())
 
+    def test_processes_that_start_together(self):
+        """Each is alone, and none takes a folder or a file of MPI away from another."""
+        deck = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
+        alone = {name: value for name, value in os.environ.items() if not name.startswith("OMPI_MCA_")}
+        for _ in range(4):
+            started = [subprocess.Popen([PROGRAM, "run", "-q", deck, "--steps", "1", "--set", f"output/name=run {k}"],
+                                        cwd=self.folder, env=alone, stderr=subprocess.PIPE, text=True) for k in range(12)]
+            for process in started:
+                errors = [line for line in process.communicate()[1].splitlines() if not line.startswith("warning: ")]
+                self.assertEqual((process.returncode, errors), (0, []))
+
     def test_sigterm(self):
         self.check_signal(signal.SIGTERM)
 
