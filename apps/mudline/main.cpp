@@ -91,9 +91,13 @@ void start_alone() {
 /// launcher started several processes.
 bool needs_mpi(const std::vector<std::string>& words) {
   if (launched()) return true;
-  const auto given = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
-  if (given("--help") || given("-h")) return false;
-  return given("run") || given("check") || given("point") || given("split") || given("mesh");
+  const auto among = [](const std::vector<std::string>& those, const std::string& word) {
+    return std::find(those.begin(), those.end(), word) != those.end();
+  };
+  if (among(words, "--help") || among(words, "-h")) return false;
+  const auto command =
+      std::find_if(words.begin(), words.end(), [](const std::string& word) { return word.rfind('-', 0) != 0; });
+  return command != words.end() && among({"run", "check", "point", "split", "mesh"}, *command);
 }
 
 /// Whether all ranks come here within some time. Input errors occur on all ranks alike, but foreign code may throw one
