@@ -27,7 +27,7 @@ from compared_case import COMPARED, LEVELS, described, record_file  # noqa: E402
 
 RECORDS = TOP / "build" / "release" / "records"
 PAGE, PICTURE = TOP / "docs" / "validation.md", TOP / "docs" / "pictures" / "validation.png"
-MEASUREMENTS = ("kaolin", "sand", "kaolin_cone")
+MEASUREMENTS = ("kaolin", "sand", "kaolin_cone", "clay_sites")
 
 # folder: table of the page
 TOPICS = {"consolidation": "consolidation and flow", "unsaturated soil": "unsaturated soil", "materials": "materials",
@@ -279,7 +279,7 @@ def page(found, heads):
               *(line for name in MEASUREMENTS for line in misses(name)), ""]
     unmeasured = [topic for topic in dict.fromkeys(TOPICS.values())
                   if not any(problem.topic == topic and problem.level == "measured" for problem in rows)]
-    lines += ["The cone is compared on its page only, no test repeats it. No test compares with a measurement in",
+    lines += ["The cones are compared on their pages only, no test repeats them. No test compares with a measurement in",
               "; ".join(unmeasured) + ".", "", "## Looked for and not found", "", NOT_FOUND.strip(), ""]
     return "\n".join(lines)
 
