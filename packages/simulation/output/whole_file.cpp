@@ -21,7 +21,12 @@ using Seal = std::function<std::string(const std::string& path)>;
 /// Makes an HDF5 file without content under this name, with room for so many bytes, on this process alone. HDF5 leaves
 /// the first `user_block` bytes alone. Returns what went wrong, or "".
 std::string make_empty(const std::string& path, long long bytes, std::size_t user_block) {
-  const std::string begin = std::string(user_block, '\0') + h5::file_image([](hid_t) {});
+  std::string begin(user_block, '\0');
+  try {
+    begin += h5::file_image([](hid_t) {});
+  } catch (const std::runtime_error& failure) {
+    return failure.what();
+  }
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_TRUNC, 0666);
   if (file < 0) return "cannot create '" + path + "': " + std::strerror(errno);
   int error = posix_fallocate(file, 0, bytes + static_cast<long long>(begin.size()));
