@@ -58,7 +58,8 @@ class Base:
         self.about = " ".join(text[text.index("<!--") + 4:text.index("-->")].split())
         given = text.partition(GIVEN)[2]
         end = FOLLOW.search(given)
-        self.branches = [branch.get("name") for branch in ElementTree.fromstring(text).iterfind("*[@name='branches']/*")]
+        branches = ElementTree.fromstring(text).iterfind("*[@name='branches']/*")
+        self.branches = [branch.get("name") for branch in branches]
         self.numbers = [Number(*found.groups()) for found in NUMBER.finditer(given[:end.start()] if end else given)]
 
     @property
@@ -127,8 +128,7 @@ def check(text, path):
 def told_by_option(error, base, values, title, path):
     """The error of a deck as one of the option from which it comes: of the number that it names, or else of the first
     one whose default would mend it."""
-    place = re.compile(rf"{re.escape(str(path))}:\d+: variables/(\w+): ")
-    named = place.match(error)
+    named = re.match(rf"{re.escape(str(path))}:\d+: variables/(\w+): ", error)
     if named and named[1] in (number.name for number in base.numbers):
         return f"--{named[1]}: {error[named.end():]}"
     error = re.sub(r"^.*?:\d+: ", "", error)  # a line of the program's own deck

@@ -257,7 +257,8 @@ class ReportTest(unittest.TestCase):
         (self.folder / "cone.csv").write_text(HISTORY)
         code, _, err = self.run_report(self.folder / "cone", "--csv", self.folder / "table.csv")
         self.assertEqual(code, 0, err)
-        units = [title.rpartition(" ")[2] for title in (self.folder / "table.csv").read_text().splitlines()[0].split(",")]
+        head = (self.folder / "table.csv").read_text().splitlines()[0]
+        units = [title.rpartition(" ")[2] for title in head.split(",")]
         self.assertIn("[kN]", units)
         (self.folder / "cone.csv").unlink()
         code, _, err = self.run_report(self.folder / "cone", "--csv", self.folder / "table.csv")

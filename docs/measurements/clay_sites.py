@@ -37,14 +37,14 @@ def sweep():
 def main():
     sites, runs = laboratory.measured("clay_sites.csv"), sweep()
     figure, axes = laboratory.axes(3, 11)
-    between = {}  # of each quantity: the sites' medians between the middles of their classes
+    between = {}  # of each quantity: logarithms of the middles of the classes, the sites' medians there
     for axis, name, top in zip(axes, (Q, BQ, EFFECTIVE), (48, 1, 22)):
         low, middle, high = (np.array([site[name.replace(" [-]", f" {share} [-]")][0] for site in sites.values()])
                              for share in (10, 50, 90))
         begin, end = (np.array([site[edge][0] for site in sites.values()])
                       for edge in ("overconsolidation ratio from [-]", "to [-]"))
         at = np.sqrt(begin * end)
-        between[name] = lambda ratio, at=at, middle=middle: np.interp(np.log(ratio), np.log(at), middle)
+        between[name] = np.log(at), middle
         axis.errorbar(at, middle, [middle - low, high - middle], [at - begin, end - at], "o", color="#5c5c5c",
                       label="31 sites: median, 80 % of the depths", capsize=2)
         for slope, colour in zip(CLAYS, laboratory.COLOURS):
@@ -56,8 +56,8 @@ def main():
     for slope, clay in CLAYS.items():
         for row in np.flatnonzero(np.isclose(runs[SLOPE], slope)):
             ratio, cells = runs[RATIO][row], []
-            for name, measured in between.items():
-                found, median = runs[name][row], measured(ratio)
+            for name, (at, middle) in between.items():
+                found, median = runs[name][row], np.interp(np.log(ratio), at, middle)
                 cells.append(f"{found:.2f} | {median:.2f} | {100 * (found / median - 1):+.0f} %")
             print(f"| {clay} | {ratio:.0f} | " + " | ".join(cells) + " |")
     laboratory.save(figure, "measured_clay_sites.png")

@@ -58,7 +58,8 @@ class History:
         return "s" if name == "time" else next(unit for group, last, unit in self.columns if name in (f"{group}/{last}", last))
 
     def readable(self, name):
-        """(values, unit) of a column in a unit that suits its largest value: kPa, kN, mm; times in hours, days or years."""
+        """(values, unit) of a column in a unit that suits its largest value: kPa, kN, mm; times in hours, days or
+        years."""
         values, unit = self[name], self.unit(name)
         largest = np.abs(values[np.isfinite(values)]).max(initial=0.0)
         factor, unit = time_unit(largest) if name == "time" else scaled(unit, largest)

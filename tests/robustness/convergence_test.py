@@ -72,8 +72,8 @@ class Rate(Convergence):
         deck = os.path.join(ROOT, "inputs", "cpt", "tresca.xml")
         settings = {"output/name": name, "stages/push/duration": 0.15,
                     **{"materials/clay/skeleton/" + word.replace("_", " "): value for word, value in law.items()}}
-        done = program(["run", deck, *(text for entry, value in settings.items() for text in ("--set", f"{entry}={value}"))],
-                       folder=self.folder)
+        words = [word for entry, value in settings.items() for word in ("--set", f"{entry}={value}")]
+        done = program(["run", deck, *words], folder=self.folder)
         self.assertEqual(done.returncode, 0, done.stdout[-1500:] + done.stderr[-1500:])
         taken, rejected = re.search(r"done: (\d+) steps(?:, (\d+) rejected)?", done.stdout).groups()
         return int(taken), int(rejected or 0)

@@ -180,7 +180,8 @@ class Endings(MudlineCase):
         alone = {name: value for name, value in os.environ.items() if not name.startswith("OMPI_MCA_")}
         for _ in range(4):
             started = [subprocess.Popen([PROGRAM, "run", "-q", deck, "--steps", "1", "--set", f"output/name=run {k}"],
-                                        cwd=self.folder, env=alone, stderr=subprocess.PIPE, text=True) for k in range(12)]
+                                        cwd=self.folder, env=alone, stderr=subprocess.PIPE, text=True)
+                       for k in range(12)]
             for process in started:
                 errors = [line for line in process.communicate()[1].splitlines() if not line.startswith("warning: ")]
                 self.assertEqual((process.returncode, errors), (0, []))

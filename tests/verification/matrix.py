@@ -279,8 +279,8 @@ def page(found, heads):
               *(line for name in MEASUREMENTS for line in misses(name)), ""]
     unmeasured = [topic for topic in dict.fromkeys(TOPICS.values())
                   if not any(problem.topic == topic and problem.level == "measured" for problem in rows)]
-    lines += ["The cones are compared on their pages only, no test repeats them. No test compares with a measurement in",
-              "; ".join(unmeasured) + ".", "", "## Looked for and not found", "", NOT_FOUND.strip(), ""]
+    lines += ["The cones are compared on their pages only, no test repeats them. No test compares with a",
+              "measurement in " + "; ".join(unmeasured) + ".", "", "## Looked for and not found", "", NOT_FOUND.strip(), ""]
     return "\n".join(lines)
 
 

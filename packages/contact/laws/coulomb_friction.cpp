@@ -75,7 +75,7 @@ SoilQuantities CoulombFriction::reads() const {
   SoilQuantities result;
   result.undrained_strength = by_soil_;
   result.strength_if_any = drains_;
-  result.pore_pressure = drains_ && !effective();
+  result.pore_pressure = drains_ && !effective();  // the effective traction is then needed on drained soil alone
   return result;
 }
 

@@ -23,6 +23,7 @@ class CoulombFriction : public Friction {
  private:
   /// alpha times the touching soil's undrained strength, at the speed.
   ShearStrength limit_of_soil(const FrictionPoint& at) const;
+  /// Coefficient times the normal traction, and the adhesion.
   ShearStrength by_coefficient(const FrictionPoint& at) const;
   /// Whether the drained coefficient holds on this soil.
   bool drained_on(const TouchingSoil& soil) const;

@@ -70,8 +70,8 @@ class Pairs(SlidingBlocks):
 
     @problem("exact", "Coulomb: shear stress is the coefficient after the path slid times the pressure")
     def test_coefficient_that_falls_with_the_slip(self):
-        """The path slid follows from the heat. The blocks are so stiff that they slide everywhere alike, and a step takes
-        the coefficient of its start."""
+        """The path slid follows from the heat. The blocks are so stiff that they slide everywhere alike, and a step
+        takes the coefficient of its start."""
         first, residual, length = 0.3, 0.15, 5e-5
         stiff = {"skeleton": {"Young's modulus": 1e9}}
         weaker = self.write("weaker.xml", deck_text("weaker", {

@@ -31,7 +31,15 @@ from references.hypoplasticity import Sand
 TIGHT = dict(method="DOP853", rtol=1e-10, atol=1e-13)
 
 
-class CamClayRates:
+class LinearRates:
+    """Laws whose stress rate is linear in the strain rate."""
+
+    def other(self, stress, state):
+        """N, the part of the stress rate per size of the strain rate."""
+        return np.zeros(3)
+
+
+class CamClayRates(LinearRates):
     """Modified Cam Clay: f = q^2/M^2 + p'(p' - pc), K = v p'/kappa, G = g K, v = v0 exp(-volumetric strain). Stress unit: any.
     State: (pc, volumetric strain)."""
 
@@ -102,7 +110,7 @@ class CasmRates(CamClayRates):
                 lambda e: np.array([multiplier @ e * growth * state[0], e.sum()]))
 
 
-class MohrCoulombRates:
+class MohrCoulombRates(LinearRates):
     """Linear elastic in the logarithmic strain, radial stress largest. Cylinder: the third stress stays between the other two.
     Sphere: both hoop stresses are equal, the flow is shared between the two faces. State: none (one idle number)."""
 
@@ -191,7 +199,7 @@ class Drained:
             d_hoop = ratio - 1
             other = D[0, 1] + (D[0, 2] if k == 2 else 0.0)
             wanted = k * (stress[0] - stress[1]) * ratio - other * d_hoop
-            N = law.other(stress, state) if hasattr(law, "other") else np.zeros(3)
+            N = law.other(stress, state)
             # D_rr x - N_r |(x, hoop)| = wanted, with D_rr > N_r
             square, hoops = D[0, 0] ** 2 - N[0] ** 2, k * d_hoop ** 2
             root = N[0] * np.sqrt(wanted ** 2 + square * hoops)

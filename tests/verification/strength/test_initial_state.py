@@ -347,7 +347,7 @@ class Profile(StrengthCase):
                 ({"file": "sounding.csv", "depth column": "z [m]"}, self.CSV, "functions/k0 profile/file: a file needs a 'value column'"),
                 ({**lists, "depth column": "z"}, self.CSV, "functions/k0 profile/depth column: without 'file' there are no columns"),
                 ({**columns, "value column": "K0[%]"}, self.CSV, "sounding.csv:2: there is no column 'K0[%]' (did you mean 'K0 [%]'?)"),
-                (columns, self.CSV.replace("57.5", "57,5"), 
+                (columns, self.CSV.replace("57.5", "57,5"),
                  "sounding.csv:4: '57,5' in column 'K0 [%]' is not a number; decimals need a point"),
                 (columns, "z [m],K0 [%]\n0,50\n2,5,57,5\n",
                  "sounding.csv:3: 4 cells, the first line has 2; decimals need a point"),
