@@ -27,6 +27,7 @@ void ContactLaws::declare_normal_law(Parameters& p) {
 
 void ContactLaws::read(const ContactContext& context, const Section& section) {
   space_ = &context.space;
+  pressure_ = space_->find("pore pressure");
   temperature_ = space_->find("temperature");
   strength_ = context.undrained_strength;
   if (section.has_section("friction")) {
@@ -66,17 +67,6 @@ void ContactLaws::check_linear(const Section& section, bool multipliers, bool co
     law.fail("'impact' = conserving needs pressures in proportion to the penetration; allowed here: linear", "type");
 }
 
-void ContactLaws::check_two_surfaces(const Section& section) const {
-  if (!read_.pore_pressure || space_->find("pore pressure") < 0) return;
-  if (friction_ && friction_->effective())
-    section.section("friction")
-        .fail("effective needs the pore pressure between two surfaces, which mortar does not know; allowed here: total",
-              "on");
-  const bool by_friction = friction_ && friction_->reads().pore_pressure;
-  section.section(by_friction ? "friction" : "normal law")
-      .fail("this law reads the pore pressure between two surfaces, which mortar does not know", "type");
-}
-
 void ContactLaws::declare_state(const StateStore& store) {
   if (!read_.mean_stress) return;
   stress_.assign(space_->mesh().blocks().size(), {-1, 0});
@@ -104,6 +94,11 @@ ContactPointLaw ContactLaws::in_step(const StepView& view, double damping) const
   law.viscous = damping;
   law.start_weight = 1 - view.end_weight;
   return law;
+}
+
+int ContactLaws::pressure_nodes(const SurfaceSide& side) const {
+  if (pressure_ < 0 || !read_.pore_pressure) return 0;
+  return space_->field(pressure_).support == Support::vertices ? num_corners(side.shape) : side.count;
 }
 
 TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, const double* xi) const {

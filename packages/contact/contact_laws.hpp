@@ -20,8 +20,6 @@ class ContactLaws {
   void read(const ContactContext& context, const Section& section);
   /// InputError for a normal law that is not linear where it has to be.
   void check_linear(const Section& section, bool multipliers, bool conserving) const;
-  /// InputError for laws that read the pore pressure, for a contact of two surfaces that does not know it.
-  void check_two_surfaces(const Section& section) const;
   /// Finds the arrays of the soil's effective stress, which the physics has declared before. InputError for laws that
   /// read the stress where there is none.
   void declare_state(const StateStore& store);
@@ -34,7 +32,9 @@ class ContactLaws {
   ContactPartners partners(const std::string& surface, const std::string& opposite, const RigidBody* body) const {
     return {surface, opposite, body, friction_ != nullptr, strength_reader_, read_.pore_pressure};
   }
-  bool read_pore_pressure() const { return read_.pore_pressure; }
+  int pressure() const { return pressure_; }  // field of the pore pressure; -1: the model has none
+  /// How many of the first nodes of a side have a pore pressure that the contact reads.
+  int pressure_nodes(const SurfaceSide& side) const;
   /// Makes the contact read the pore pressure, whatever its laws read.
   void ask_for_pore_pressure() { read_.pore_pressure = true; }
   /// Laws, times and weights of a step; `damping` of the deck [s/m].
@@ -54,7 +54,7 @@ class ContactLaws {
   std::unique_ptr<const Friction> friction_;
   std::unique_ptr<const NormalLaw> normal_ = std::make_unique<LinearNormalLaw>();
   SoilQuantities read_;
-  int temperature_ = -1;                     // field
+  int pressure_ = -1, temperature_ = -1;     // fields
   std::optional<Section> stress_reader_;     // the law that reads the mean stress
   std::optional<Section> strength_reader_;   // and that needs the undrained strength
   std::vector<std::pair<int, int>> stress_;  // (block) state handle, points per element

@@ -15,14 +15,13 @@ namespace mudline {
 void PointContact::read(const Section& section) {
   name_ = section.name();
   displacement_ = context_.space.find("displacement");
-  pressure_ = context_.space.find("pore pressure");
   temperature_ = context_.space.find("temperature");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
 }
 
 void PointContact::check_parts(const Section& section, bool conserving, bool damping) const {
   parts_.initial_gap.check(section);
-  parts_.drainage.check(section, pressure_ >= 0);
+  parts_.drainage.check(section, laws_.pressure() >= 0);
   if (!parts_.drainage.has_film()) return;
   if (enforcement_.augmented()) section.fail("a film has no multipliers; allowed with it: penalty", "enforcement");
   if (conserving) section.fail("a film takes energy; allowed with it: automatic, interpolated", "impact");
@@ -65,11 +64,11 @@ void PointContact::sparsity(Assembler& assembler) {
   for (std::size_t s = 0; s < sides().size(); ++s)
     for (int piece : target_->near(box(s, x), reach_)) {
       const SurfaceSide& side = sides()[s];
-      const int pressures = pressure_nodes(side);
+      const int pressures = laws_.pressure_nodes(side);
       std::vector<int> dofs(axes() * side.count + target_->num_dofs(piece) + pressures);
       int* to = context_.space.write_dofs(displacement_, side.node, side.count, dofs.data());
       to = target_->write_dofs(piece, to);
-      context_.space.write_dofs(pressure_, side.node, pressures, to);
+      context_.space.write_dofs(laws_.pressure(), side.node, pressures, to);
       pairs_.add(s, piece, std::move(dofs));
     }
   pairs_.sparsity(assembler);
@@ -111,7 +110,7 @@ int PointContact::evaluate(const StepView& view, bool tangent, const Take& take)
     const SideCoordinates before = side_coordinates(side, x_old), now = side_coordinates(side, x_end);
     const bool near = !candidates_[s].empty(), sound = near && measure(s, before, now, tangent, areas);
     failures += near && !sound;
-    const int pressures = pressure_nodes(side);
+    const int pressures = laws_.pressure_nodes(side);
     const SideFilm water = film(view, s);
     ContactPointLaw acting = law(view, s);
     acting.film = water.acts;
@@ -161,7 +160,7 @@ int PointContact::evaluate(const StepView& view, bool tangent, const Take& take)
         pressure_slopes(points, c, before, pressures, slope);
         point.drive = -water.weight;
         for (int a = 0; a < pressures; ++a)
-          point.drive += view.value_end(context_.space.node_dof(pressure_)(side.node[a])) * slope[a];
+          point.drive += view.value_end(context_.space.node_dof(laws_.pressure())(side.node[a])) * slope[a];
         point.pressure_slope = slope;
       }
       const ContactPoint result = target_->act(point, place, action);
@@ -311,23 +310,18 @@ void PointContact::write_away(const StepView& view, int row) const {
   write(*view.trial, row, TargetPlace(), point);
 }
 
-int PointContact::pressure_nodes(const SurfaceSide& side) const {
-  if (pressure_ < 0 || !laws_.read_pore_pressure()) return 0;
-  return context_.space.field(pressure_).support == Support::vertices ? num_corners(side.shape) : side.count;
-}
-
 const double* PointContact::pressure_shape(const SurfaceSide& side, int point) const {
   const ContactRule& points = rule(side);
-  return pressure_nodes(side) < points.nodes ? &points.corner(point, 0) : &points.shape(point, 0);
+  return laws_.pressure_nodes(side) < points.nodes ? &points.corner(point, 0) : &points.shape(point, 0);
 }
 
 double PointContact::pore_pressure(std::size_t side, int point, const ConstNodalView& values) const {
   const SurfaceSide& at = sides()[side];
-  const int nodes = pressure_nodes(at);
+  const int nodes = laws_.pressure_nodes(at);
   if (nodes == 0) return 0;
   const double* const shape = pressure_shape(at, point);
   double result = 0;
-  for (int a = 0; a < nodes; ++a) result += shape[a] * values(context_.space.node_dof(pressure_)(at.node[a]));
+  for (int a = 0; a < nodes; ++a) result += shape[a] * values(context_.space.node_dof(laws_.pressure())(at.node[a]));
   return result;
 }
 
@@ -446,7 +440,7 @@ std::vector<char> PointContact::covered_sides(const State& committed) const {
 }
 
 void PointContact::close(const State& committed, ClosedSides& closed) const {
-  if (!parts_.drainage.closes() || pressure_ < 0) return;
+  if (!parts_.drainage.closes() || laws_.pressure() < 0) return;
   closed.possible = true;
   const std::vector<Side>& set = surface_->mesh().side_sets().at(set_);
   const std::vector<char> flags = covered_sides(committed);

@@ -117,7 +117,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   ContactContext context_;
   ContactLaws laws_;
   std::string name_;
-  int displacement_ = -1, pressure_ = -1, temperature_ = -1;  // fields
+  int displacement_ = -1, temperature_ = -1;  // fields
   std::unique_ptr<ContactSurface> surface_;
   std::unique_ptr<LeakySurface> leak_;           // null unless leaky
   std::map<CellShape, ContactRule> rules_;       // of the sides
@@ -163,8 +163,6 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   void leave(const StepView& view, std::size_t side, int row, double gap);
   /// Pore pressure at a point of a side [Pa], of nodal values by overlap dof; 0 where the contact does not read it.
   double pore_pressure(std::size_t side, int point, const ConstNodalView& values) const;
-  /// How many of the first nodes of a side have a pore pressure that the contact reads.
-  int pressure_nodes(const SurfaceSide& side) const;
   /// Shapes of the pore pressure's nodes at a point of a side.
   const double* pressure_shape(const SurfaceSide& side, int point) const;
 

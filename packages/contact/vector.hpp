@@ -54,13 +54,14 @@ struct StepForces {
     for (int a = 0; a < N; ++a) end[a] = more[a] = T(0.0);
   }
   /// Writes their values, and for dual numbers the derivatives of share * end + weight * more.
-  void write(const T& share, double weight, double (&f)[N], double (&on_top)[N], double (&k)[N][N]) const {
+  template <int M>
+  void write(const T& share, double weight, double (&f)[N], double (&on_top)[N], double (&k)[N][M]) const {
     for (int a = 0; a < N; ++a) {
       f[a] = value(end[a]);
       on_top[a] = value(more[a]);
       if constexpr (!std::is_same_v<T, double>) {
         const T acting = end[a] * share + weight * more[a];
-        for (int b = 0; b < N; ++b) k[a][b] = acting.d[b];
+        for (int b = 0; b < M; ++b) k[a][b] = acting.d[b];
       }
     }
   }

@@ -13,7 +13,7 @@ SEVERAL_SOURCES = {"Ale", "Run", "SurfaceMotion"}
 
 # Look-ups of a field by a literal name that are left in all packages. A field is known to the physics that declares it, to the soil and
 # to the context of a contact or of a condition: ask these. The number may fall.
-LOOK_UPS = 26
+LOOK_UPS = 25
 
 CLASS = re.compile(r"^(?:struct|class) (?:alignas\(\d+\) )?(\w+)(?: final)?(?: :| {)", re.M)
 MEMBER = re.compile(r"^(?!\s|return|//)[^\n;=(]*?\b(\w+)(?:<[^>\n]*>)?::~?(?:operator[^\s(]*|\w+)\(", re.M)

@@ -80,9 +80,11 @@ void PairContact::sparsity(Assembler& assembler) {
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto box = side_box(sides[s].node, sides[s].count, x);
     for (int m : master_->near(box, distance)) {
-      std::vector<int> dofs(4 * nodes_);
-      int* const to = context_.space.write_dofs(displacement_, sides[s].node, nodes_, dofs.data());
-      context_.space.write_dofs(displacement_, master_->sides()[m].node, nodes_, to);
+      const int pressures = laws_.pressure_nodes(sides[s]);
+      std::vector<int> dofs(4 * nodes_ + pressures);
+      int* to = context_.space.write_dofs(displacement_, sides[s].node, nodes_, dofs.data());
+      to = context_.space.write_dofs(displacement_, master_->sides()[m].node, nodes_, to);
+      context_.space.write_dofs(laws_.pressure(), sides[s].node, pressures, to);
       dofs_.add(s, m, std::move(dofs));
     }
   }
@@ -123,11 +125,15 @@ PairLaw PairContact::law(const StepView& view, int slave) const {
   result.geometry = context_.space.mesh().geometry();
   result.rule = rule_;
   result.capture = capture_;
+  const SurfaceSide& side = slave_->sides()[slave];
+  result.pressures = laws_.pressure_nodes(side);
+  for (int a = 0; a < result.pressures; ++a)
+    result.pore_pressure[a] = view.value_end(context_.space.node_dof(laws_.pressure())(side.node[a]));
   const PointView& multipliers = view.trial->arrays[multipliers_];
   for (int a = 0; a < side_multipliers; ++a) {
     result.pressure_old[a] = view.committed->arrays[sides_](side_multipliers * slave + a, column::pressure);
     const double end = 2 * a - 1;
-    result.soil[a] = laws_.soil(*view.committed, slave_->sides()[slave], &end);
+    result.soil[a] = laws_.soil(*view.committed, side, &end);
     const double slip = view.committed->arrays[sides_](side_multipliers * slave + a, column::slip);
     result.slip_old[a] = laws_.friction() && laws_.friction()->reads_slip() ? slip : TouchingSoil::unknown;
     result.normal[a] = multipliers(side_multipliers * slave + a, 0);
@@ -215,11 +221,11 @@ void PairContact::jacobian(const StepView& view, Assembler& assembler, double we
   PairForce force;
   for (const Pair& pair : pairs_) {
     if (pair.row < 0) continue;
-    if (!pair_segment(law(view, pair.slave), coordinates(pair, view.x_old), coordinates(pair, view.x_end), true, force))
-      continue;
+    const PairLaw of_side = law(view, pair.slave);
+    if (!pair_segment(of_side, coordinates(pair, view.x_old), coordinates(pair, view.x_end), true, force)) continue;
     if (!(force.sums.area > 0) && force.sums.damped == 0) continue;
     for (int a = 0; a < 4 * nodes_; ++a)
-      for (int b = 0; b < 4 * nodes_; ++b) to.add(pair.row, a, b, -weight * force.k[a][b]);
+      for (int b = 0; b < 4 * nodes_ + of_side.pressures; ++b) to.add(pair.row, a, b, -weight * force.k[a][b]);
   }
 }
 
@@ -244,7 +250,6 @@ void PairContact::check(const Section& section) {
   deck_.check(section);
   laws_.read(context_, section);
   check_heat_share(context_, section, laws_);
-  laws_.check_two_surfaces(section);
   laws_.check_linear(section, deck_.augmented(), false);
   slave_ = std::make_unique<ContactSurface>(mesh, deck_.slave);
   master_ = std::make_unique<MasterSurface>(mesh, deck_.master);

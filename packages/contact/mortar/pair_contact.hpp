@@ -25,7 +25,7 @@ struct PairParameters : TwoSurfaceParameters {
 /// Contact of two deformable surfaces, segment to segment: the slave's sides are cut where the closest points of their
 /// points pass from one side of the master to the next, and on each segment R_u -= int (N_slave - N_master)^T (t n + s
 /// m) ds at n+1, see pair_segment(). Multipliers are linear and continuous along the slave surface (mortar); Uzawa's
-/// method as in PenaltyContact.
+/// method as in PenaltyContact. The laws see the pore pressure of the slave.
 ///
 /// Parallel: a rank computes its slave sides against the whole master surface, whose nodes it has as ghosts (SetPairs);
 /// the matrix has entries for all pairs of sides that were within `reach` of each other at the start.
@@ -40,8 +40,7 @@ class PairContact : public Contact {
   explicit PairContact(const ContactContext& context) : context_(context) {}
   static void document(Parameters& p) { declare_with_friction(p, PairParameters()); }
   void parameters(Parameters& p) { declare_with_friction(p, deck_); }
-  /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, friction on the effective
-  /// traction of surfaces with pore pressure. Collective.
+  /// InputError for unknown, empty, equal or touching sets, and for deep overlap at the start. Collective.
   void check(const Section& section);
 
   std::string name() const override { return "contact/" + name_; }

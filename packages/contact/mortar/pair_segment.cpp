@@ -10,27 +10,30 @@ namespace mudline {
 
 namespace {
 
-/// A straight or parabolic side: ends at -1 and 1, middle at 0.
+/// Shapes of the 2 or 3 nodes of a line: ends at -1 and 1, middle at 0.
+template <class T>
+void line_shapes(int nodes, const T& xi, T (&N)[max_line_nodes]) {
+  if (nodes == 2) {
+    N[0] = 0.5 * (1.0 - xi);
+    N[1] = 0.5 * (1.0 + xi);
+    N[2] = T(0.0);
+  } else {
+    N[0] = 0.5 * xi * (xi - 1.0);
+    N[1] = 0.5 * xi * (xi + 1.0);
+    N[2] = 1.0 - xi * xi;
+  }
+}
+
+/// A straight or parabolic side.
 template <class T>
 struct Curve {
   int nodes;
   Vec<T, 2> node[max_line_nodes];
 
-  void shapes(const T& xi, T (&N)[max_line_nodes]) const {
-    if (nodes == 2) {
-      N[0] = 0.5 * (1.0 - xi);
-      N[1] = 0.5 * (1.0 + xi);
-      N[2] = T(0.0);
-    } else {
-      N[0] = 0.5 * xi * (xi - 1.0);
-      N[1] = 0.5 * xi * (xi + 1.0);
-      N[2] = 1.0 - xi * xi;
-    }
-  }
   SideMap<2, T> map(const T& xi) const {
     T N[max_line_nodes];
     const T dN[max_line_nodes] = {nodes == 2 ? T(-0.5) : xi - 0.5, nodes == 2 ? T(0.5) : xi + 0.5, -2.0 * xi};
-    shapes(xi, N);
+    line_shapes(nodes, xi, N);
     SideMap<2, T> result;
     result.compute(nodes, N, dN, [&](int a, int i) { return node[a][i]; });
     return result;
@@ -179,6 +182,15 @@ TouchingSoil soil_between(const TouchingSoil (&corner)[side_multipliers], double
           from * corner[0].undrained_strength + to * corner[1].undrained_strength};
 }
 
+/// Pore pressure of the slave at a point, beside that of `law.soil` [Pa].
+template <class T>
+T pore_pressure(const PairLaw& law, const T& xi) {
+  T N[max_line_nodes], result(0.0);
+  line_shapes(law.pressures, xi, N);
+  for (int a = 0; a < law.pressures; ++a) result += N[a] * unknown<T>(law.pore_pressure[a], 4 * law.nodes + a);
+  return result;
+}
+
 template <class T>
 ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, const SegmentPoint<T>& point) {
   ContactMotion<T> motion;
@@ -187,6 +199,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   motion.shift = multiplier / law.penalty;
   motion.soil = soil_between(law.soil, value(point.xi));
   motion.pore_pressure = T(motion.soil.pore_pressure);
+  if (law.pressures > 0) motion.pore_pressure += pore_pressure(law, point.xi);
   motion.slip_old = value(point.shape[0]) * law.slip_old[0] + value(point.shape[1]) * law.slip_old[1];
   motion.area = point.area;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
@@ -205,8 +218,8 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
 template <class T>
 void act(const Sides<T>& sides, const SegmentPoint<T>& point, const Vec<T, 2>& force, T (&to)[pair_dofs]) {
   T N[max_line_nodes], M[max_line_nodes];
-  sides.slave.shapes(point.xi, N);
-  sides.master.shapes(point.projection.eta, M);
+  line_shapes(sides.slave.nodes, point.xi, N);
+  line_shapes(sides.slave.nodes, point.projection.eta, M);
   spread(sides.slave.nodes, N, force, to);
   spread(sides.slave.nodes, M, force * -1.0, to + 2 * sides.slave.nodes);
 }
@@ -283,7 +296,7 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
 bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent,
                   PairForce& out) {
   out = {};
-  return want_tangent ? integrate<Dual<pair_dofs>>(law, old, now, out) : integrate<double>(law, old, now, out);
+  return want_tangent ? integrate<Dual<pair_unknowns>>(law, old, now, out) : integrate<double>(law, old, now, out);
 }
 
 }  // namespace mudline

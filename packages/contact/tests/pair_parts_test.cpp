@@ -47,10 +47,11 @@ const std::string plate_in_space =
 /// Two blocks at a gap; the slave has a width of 1 m, in space 0.6 m.
 struct Blocks : ContactModel {
   Blocks(Cells cells, double gap, const std::string& entries,
-         std::function<std::array<double, 6>(const Point&)> stress = {}, Support support = Support::vertices)
+         std::function<std::array<double, 6>(const Point&)> stress = {}, Support support = Support::vertices,
+         const std::string& type = "node to segment")
       : ContactModel(Geometry::plane_strain,
                      pair(strip(cells, 4, 1, -1.5, 3, 1, 0), strip(cells, 2, 1, -0.5, 1, 1, 0), 1, gap), plate_xml(50),
-                     sides(entries), {}, "node to segment", support, false, {}, stress) {}
+                     sides(entries), {}, type, support, false, {}, stress) {}
   Blocks(double gap, const std::string& entries, std::function<std::array<double, 6>(const Point&)> stress = {})
       : ContactModel(Geometry::space, pair(box("{3, 3, 1}", 0.8), box("{2, 2, 1}", 0.3), 2, gap), plate_in_space,
                      sides(entries), {}, "point to face", Support::vertices, false, {}, stress) {}
@@ -179,6 +180,11 @@ TEST(PairFriction, IsOnTheTractionLessThePorePressureOfTheSlave) {
                               number_parameter("coefficient", 0.3) + "</ParameterList>\n";
   Blocks plane(Cells::quad9, -0.01, coulomb);
   expect_effective_friction(plane);
+  for (const Cells cells : {Cells::quad4, Cells::quad9})
+    for (const Support support : {Support::vertices, Support::all_nodes}) {
+      Blocks mortar(cells, -0.01, text_parameter("enforcement", "penalty") + coulomb, {}, support, "mortar");
+      expect_effective_friction(mortar);
+    }
   Blocks space(-0.01, coulomb);
   expect_effective_friction(space);
 }

@@ -17,8 +17,9 @@ PairCoordinates sides(double overlap, double shift, double bend) {
   return x;
 }
 
-double& entry(PairCoordinates& x, int nodes, int dof) {
-  return dof < 2 * nodes ? x.slave[dof / 2][dof % 2] : x.master[dof / 2 - nodes][dof % 2];
+double& entry(PairLaw& law, PairCoordinates& x, int unknown) {
+  if (unknown >= 4 * law.nodes) return law.pore_pressure[unknown - 4 * law.nodes];
+  return unknown < 2 * law.nodes ? x.slave[unknown / 2][unknown % 2] : x.master[unknown / 2 - law.nodes][unknown % 2];
 }
 
 constexpr Geometry flat = Geometry::plane_strain, round = Geometry::axisymmetric;
@@ -29,6 +30,7 @@ struct Case {
   Geometry geometry;
   double overlap, shift, friction, multiplier;
   double viscous = 0;
+  int pressures = 0;
 };
 
 class EverySegment : public testing::TestWithParam<Case> {
@@ -45,6 +47,8 @@ class EverySegment : public testing::TestWithParam<Case> {
     law_.normal[1] = 1.5 * c.multiplier;
     law_.shear[0] = 0.1 * c.multiplier;
     law_.viscous = c.viscous;
+    law_.pressures = c.pressures;
+    for (int a = 0; a < c.pressures; ++a) law_.pore_pressure[a] = 2e3 * (a + 1) - 5e3 * (a == 2);
     if (c.viscous > 0) {
       law_.start_weight = 0.4;
       law_.pressure_old[0] = 3e4;
@@ -66,7 +70,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"slip", 3, round, 0.05, -0.2, 0.01, 2e4}, Case{"straight slip", 2, flat, 0.05, 0, 0.01, 0},
                     Case{"damped", 3, flat, 0.05, 0, 5, 2e4, 20},
                     Case{"damped axisymmetric", 3, round, 0.05, 0.1, 0, 0, 20},
-                    Case{"damped straight", 2, flat, 0.05, 0, 0.01, 0, 20}),
+                    Case{"damped straight", 2, flat, 0.05, 0, 0.01, 0, 20},
+                    Case{"slip in water", 3, round, 0.05, -0.2, 0.01, 2e4, 0, 2},
+                    Case{"slip in water of all nodes", 3, flat, 0.05, 0, 0.01, 2e4, 0, 3},
+                    Case{"damped slip in water", 3, flat, 0.05, 0, 0.01, 2e4, 20, 2},
+                    Case{"straight slip in water", 2, flat, 0.05, 0, 0.01, 0, 0, 2},
+                    Case{"stick in water", 3, flat, 0.05, 0, 5, 2e4, 0, 2}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (char& c : name) c = c == ' ' ? '_' : c;
@@ -79,25 +88,34 @@ TEST_P(EverySegment, TangentIsTheDifferencedForce) {
   ASSERT_TRUE(pair_segment(law_, old_, now_, false, plain));
   ASSERT_GT(at.sums.area, 0);
   const int dofs = 4 * law_.nodes;
-  double size = 0, error = 0;
-  for (int b = 0; b < dofs; ++b) {
-    EXPECT_EQ(at.f[b], plain.f[b]);
-    EXPECT_EQ(at.damping[b], plain.damping[b]);
-    EXPECT_EQ(at.damping[b] != 0, law_.viscous > 0);
-    constexpr double h = 1e-6;
-    entry(now_, law_.nodes, b) += h;
-    pair_segment(law_, old_, now_, false, plus);
-    entry(now_, law_.nodes, b) -= 2 * h;
-    pair_segment(law_, old_, now_, false, minus);
-    entry(now_, law_.nodes, b) += h;
-    for (int a = 0; a < dofs; ++a) {
-      size = std::max(size, std::abs(at.k[a][b]));
-      const double weight = 1 / (1 - law_.start_weight);
-      const double change = plus.f[a] - minus.f[a] + weight * (plus.damping[a] - minus.damping[a]);
-      error = std::max(error, std::abs(change / (2 * h) - at.k[a][b]));
-    }
+  for (int a = 0; a < dofs; ++a) {
+    EXPECT_EQ(at.f[a], plain.f[a]);
+    EXPECT_EQ(at.damping[a], plain.damping[a]);
+    EXPECT_EQ(at.damping[a] != 0, law_.viscous > 0);
   }
-  EXPECT_LT(error, 1e-7 * size);
+  // forces are so much larger per metre than per pascal that one hides the other
+  const auto compare = [&](int first, int end, double h) {
+    double size = 0, error = 0;
+    for (int b = first; b < end; ++b) {
+      entry(law_, now_, b) += h;
+      pair_segment(law_, old_, now_, false, plus);
+      entry(law_, now_, b) -= 2 * h;
+      pair_segment(law_, old_, now_, false, minus);
+      entry(law_, now_, b) += h;
+      for (int a = 0; a < dofs; ++a) {
+        size = std::max(size, std::abs(at.k[a][b]));
+        const double weight = 1 / (1 - law_.start_weight);
+        const double change = plus.f[a] - minus.f[a] + weight * (plus.damping[a] - minus.damping[a]);
+        error = std::max(error, std::abs(change / (2 * h) - at.k[a][b]));
+      }
+    }
+    EXPECT_LE(error, 1e-7 * size);
+    return size;
+  };
+  EXPECT_GT(compare(0, dofs, 1e-6), 0);
+  // what sticks does not feel the water
+  const bool slides = at.sums.sliding > 0;
+  EXPECT_EQ(compare(dofs, dofs + law_.pressures, 1.0) > 0, slides && law_.pressures > 0);
 }
 
 TEST_P(EverySegment, WhatTheSlaveGetsTheMasterGives) {
@@ -108,7 +126,7 @@ TEST_P(EverySegment, WhatTheSlaveGetsTheMasterGives) {
     const double force = at.f[a] + at.damping[a];
     sum[a % 2] += force;
     size += std::abs(force);
-    moment += (a % 2 ? 1 : -1) * force * entry(now_, law_.nodes, a % 2 ? a - 1 : a + 1);
+    moment += (a % 2 ? 1 : -1) * force * entry(law_, now_, a % 2 ? a - 1 : a + 1);
   }
   EXPECT_NEAR(sum[0], 0, 1e-14 * size);
   EXPECT_NEAR(sum[1], 0, 1e-14 * size);
@@ -138,6 +156,43 @@ TEST(PairSegment, UniformOverlapOfStraightSidesPressesOnWhatTheyShare) {
   EXPECT_EQ(force.sums.area, 0);
   std::swap(x.master[0], x.master[1]);  // back to back
   EXPECT_FALSE(pair_segment(law, x, x, false, force));
+}
+
+TEST(PairSegment, FrictionIsOnTheTractionLessThePorePressure) {
+  struct Half : Friction {
+    ShearStrength strength(const FrictionPoint& at) const override {
+      return at.normal > 0 ? ShearStrength{0.5 * at.normal, 0.5} : ShearStrength{0, 0};
+    }
+  } half;
+  PairLaw law;
+  law.rule = line_quadrature(5);
+  law.penalty = 1e6;
+  law.capture = 1;
+  law.friction = &half;
+  PairCoordinates old, now;
+  old.slave = now.slave = {Point{0, -0.01}, Point{1, -0.01}, Point{0.5, -0.01}};
+  old.master = now.master = {Point{2, 0}, Point{-1, 0}, Point{0.5, 0}};
+  for (Point& node : now.slave) node[0] += 0.1;
+  const auto drag = [&] {
+    PairForce force;
+    EXPECT_TRUE(pair_segment(law, old, now, false, force));
+    return force.f[0] + force.f[2] + force.f[4];
+  };
+  EXPECT_NEAR(drag(), -0.5 * 1e4, 1e-8);
+  law.pressures = 2;  // from 1 to 4 kPa over the side
+  law.pore_pressure[0] = 1e3;
+  law.pore_pressure[1] = 4e3;
+  EXPECT_NEAR(drag(), -0.5 * (1e4 - 2.5e3), 1e-8);
+  law.pressures = 3;  // and 3 kPa in its middle: Simpson's rule
+  law.pore_pressure[2] = 3e3;
+  EXPECT_NEAR(drag(), -0.5 * (1e4 - (1e3 + 4e3 + 4 * 3e3) / 6), 1e-8);
+  law.pressures = 2;  // a suction counts as much as the traction at most
+  law.pore_pressure[0] = law.pore_pressure[1] = -4e3;
+  EXPECT_NEAR(drag(), -0.5 * (1e4 + 4e3), 1e-8);
+  law.pore_pressure[0] = law.pore_pressure[1] = -4e4;
+  EXPECT_NEAR(drag(), -0.5 * 2e4, 1e-8);
+  law.pore_pressure[0] = law.pore_pressure[1] = 2e4;  // more than the traction: no strength is left
+  EXPECT_EQ(drag(), 0);
 }
 
 }  // namespace
