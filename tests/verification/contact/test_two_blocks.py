@@ -1,12 +1,15 @@
 """What contact of two deformable surfaces has in common with that of a body: a film of water between two blocks that are pulled
-apart, and blocks that are pressed, dragged and remeshed meanwhile."""
+apart, friction on the effective traction, and blocks that are pressed, dragged and remeshed meanwhile."""
+import os
 import unittest
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from compared_case import problem
 from contact_case import ContactCase
 from mudline_case import deck_text
+from references import biot
 from references.suction import PulledPlate
 from sliding_blocks import SLIDE
 
@@ -83,6 +86,98 @@ class PulledApart(ContactCase):
                             [exact.total(t) for t in times], 8e-3, scale=100e3)
         vapour = np.array([exact.vapour(t) for t in times])
         self.compare_values("vapour", history["contact/face/film vapour"] / WIDTH, vapour, 1e-2, scale=vapour.max())
+
+
+SLIDER = '''
+For b In {0:1}
+  p = newp; c = newc; w = 1 - b;
+  Point(p) = {-w, b - 1, 0}; Point(p+1) = {1 + w, b - 1, 0}; Point(p+2) = {1 + w, b, 0}; Point(p+3) = {-w, b, 0};
+  Line(c) = {p, p+1}; Line(c+1) = {p+1, p+2}; Line(c+2) = {p+2, p+3}; Line(c+3) = {p+3, p};
+  l = newll; Curve Loop(l) = {c:c+3};
+  s~{b} = news; Plane Surface(s~{b}) = {l};
+  Transfinite Curve {c, c+2} = b ? 6 : 12;
+  Transfinite Curve {c+1, c+3} = b ? 13 : 3;
+  Transfinite Surface {s~{b}}; Recombine Surface {s~{b}};
+  bottom~{b} = c; top~{b} = c+2; left~{b} = c+3; right~{b} = c+1;
+EndFor
+Physical Surface("lower") = {s_0}; Physical Surface("upper") = {s_1};
+Physical Curve("base") = {bottom_0}; Physical Curve("face") = {top_0}; Physical Curve("lower sides") = {left_0, right_0};
+Physical Curve("under") = {bottom_1}; Physical Curve("top") = {top_1}; Physical Curve("upper sides") = {left_1, right_1};
+'''
+
+
+@problem("exact", "Coulomb: shear stress is the coefficient times the effective pressure",
+         "A saturated block that slides on another one")
+class SlidingInWater(ContactCase):
+    """The upper block, 1 m by 1 m, is pressed by LOAD and dragged over a stiff one; meshes do not match."""
+    LOAD, COEFFICIENT = 10.0, 0.3  # [Pa], so that strains are small
+    SOIL = biot.Soil(young=1e7, poisson=0.25, alpha=0.9, storage=2.75e-8)
+
+    def slide(self, duration, step, pressures, contact, ranks=1, extra=(), order=2):
+        """`pressures`: prescribed ones by set."""
+        self.write("slider.geo", SLIDER)
+        wet = {"porosity": 0.4, "fluid": {"type": "water", "bulk modulus": 2e7, "unit weight": UNIT_WEIGHT},
+               "permeability": {"type": "constant", "hydraulic conductivity": self.SOIL.mobility * UNIT_WEIGHT}}
+        skeleton = {"type": "linear elastic", "Young's modulus": self.SOIL.young, "Poisson's ratio": self.SOIL.poisson}
+        return self.run_deck(self.write("slider.xml", deck_text("slider", {
+            "mesh": {"type": "gmsh", "file": "slider.geo", "order": order},
+            "materials": {
+                "upper": {"regions": ["upper"], **wet, "skeleton": skeleton, "Biot coefficient": self.SOIL.alpha,
+                          "grain bulk modulus": 0.5 / 0.75e-8},
+                "lower": {"regions": ["lower"], **wet, "skeleton": {**skeleton, "Young's modulus": 1e11}}},
+            "physics": {"ground": {"type": "biot", **({"pressure": "equal order"} if order == 1 else {})}},
+            "boundary conditions": {
+                "base": {"type": "fixed", "set": "base"},
+                "lower sides": {"type": "fixed", "set": "lower sides", "components": "x"},
+                "dragged": {"type": "displacement", "set": "upper sides", "x": f"1e-3*t/{duration}"},
+                "load": {"type": "traction", "set": "top", "y": -self.LOAD},
+                **{f"water {name}": {"type": "pore pressure", "set": name, "value": value} for name, value in pressures.items()}},
+            "contacts": {"contact": {"gap tolerance": 1e-11, **contact,
+                                     "friction": {"type": "coulomb", "coefficient": self.COEFFICIENT}}},
+            "stages": {"slide": {"type": "quasi-static", "duration": duration,
+                                 "integrator": {"type": "theta", "theta": 0.5, "start-up steps": 8}, "time step": step}},
+            "solver": {"residual tolerance": 1e-10, "update tolerance": 1e-8, "linear tolerance": 1e-12}})), ranks=ranks, extra=extra)
+
+    def drag(self, history):
+        return np.abs(history["contact/contact/force on slave x"]) / self.COEFFICIENT
+
+    def test_drained(self):
+        """Each block has a pore pressure of its own on its surface. That of the slave counts, a suction too."""
+        for slave, master, pressure, order in (("under", "face", 4.0, 2), ("under", "face", -4.0, 2), ("face", "under", 1.0, 2),
+                                               ("under", "face", 4.0, 1)):
+            water = {"under": 4.0, "face": 1.0, **{slave: pressure}}
+            history = self.slide(1.0, {"initial": 0.25}, water, {"type": "mortar", "slave": slave, "master": master}, order=order)
+            self.compare_values("load", np.abs(history["contact/contact/force on slave y"]), self.LOAD, 1e-8)
+            self.compare_values(f"{slave}, {pressure}, order {order}", self.drag(history), self.LOAD - pressure, 1e-6)
+
+    @problem("exact", "Terzaghi (1943): pore pressure under the block; Coulomb")
+    def test_sealed(self):
+        """The drag grows as the upper block, drained on top, consolidates. The pore pressures that shear makes are odd
+        in x: their force is none."""
+        column = biot.Column(self.SOIL, load=self.LOAD)
+        whole = column.time(1.0)
+        step = {"initial": 1e-4 * whole, "growth": 1.2, "maximum": 0.02 * whole}
+        history = self.slide(whole, step, {"top": 0.0, "face": 0.0, "base": 0.0},
+                             {"type": "mortar", "slave": "under", "master": "face"})
+        times = np.array([0.05, 0.1, 0.2, 0.5, 1.0])
+        exact = np.array([self.LOAD - column.pressure(1.0, T) for T in times])
+        drag = CubicSpline(history.time, self.drag(history))(column.time(times))
+        self.compare_values("drag", drag, exact, 2e-3, self.LOAD)
+        self.assertLessEqual(np.median(history["step/newton iterations"]), 5)
+
+    @problem("consistency")
+    def test_restart_and_ranks(self):
+        def slide(**options):
+            history = self.slide(80.0, {"initial": 10.0}, {"top": 0.0, "face": 0.0, "base": 0.0},
+                                 {"type": "mortar", "slave": "under", "master": "face"}, **options)
+            with open(os.path.join(self.folder, "results", "slider.csv")) as file:
+                return file.read(), history
+        text, history = slide()
+        slide(extra=("--steps", "3"))
+        self.assertEqual(slide(extra=("--restart",))[0], text)
+        for ranks in (2, 3):
+            self.assert_same_run(history, slide(ranks=ranks)[1], [f"contact/contact/force on slave {axis}" for axis in "xy"],
+                                 f"{ranks} ranks")
 
 
 @problem("consistency", title="Blocks that are remeshed while they slide")
