@@ -42,8 +42,14 @@ class Number:
         found = re.match(r"\s*[-+]?[0-9.]+([eE][-+]?[0-9]+)?", value)
         number = float(found[0]) if self.kind != "string" and found and found[0].strip(" +-.") else None
         may_be_zero = re.search(r"\b0\b", self.meaning)
+        if re.match(r"\s*[-+]?[0-9]+,[0-9]", value):
+            raise NewError(f"--{self.name}: {value}: decimals need a point")
         if number is not None and (number < 0 or (number == 0 and not may_be_zero)):
             raise NewError(f"--{self.name}: {value} is not {'0 or more' if may_be_zero else 'above 0'}")
+
+    @property
+    def has_unit(self):
+        return self.kind != "string" and re.search(r"[0-9.] *[A-Za-z%]", self.value)
 
     def line(self, value):
         return f'    <Parameter name="{self.name}" type="{self.kind}" value={quoteattr(value)}/>'
@@ -150,7 +156,10 @@ def options_of(base, words):
     def fail(message):
         unknown = re.match(r"unrecognized arguments: --(\w+)", message)
         near = unknown and difflib.get_close_matches(unknown[1], [number.name for number in base.numbers], 1)
-        raise NewError(message + (f" (did you mean '--{near[0]}'?)" if near else f" (see mudline new {base.name} --help)"))
+        first = base.numbers[0]
+        raise NewError(message + (f" (did you mean '--{near[0]}'?)" if near else
+                                  f" (see mudline new {base.name} --help)" if unknown or "unrecognized" not in message else
+                                  f"; numbers have names, and those with a unit quotation marks: --{first.name} \"{first.value}\""))
 
     parser.error = fail
     return parser.parse_args(words)
@@ -180,6 +189,10 @@ def main():
         if error:
             raise NewError(told_by_option(error, base, values, title, path))
         print(said, end="")
+        plain = [f"--{number.name} {values[number.name]}" for number in base.numbers
+                 if number.has_unit and re.fullmatch(r"[-+0-9.eE ]+", values.get(number.name, ""))]
+        if plain:
+            print("without a unit, so in SI units: " + ", ".join(plain))
         path.write_text(text, encoding="utf-8")
         results = [path.stem, *(f"{path.stem}_{branch.replace(' ', '_')}" for branch in base.branches)]
         print(f"\n{path} is written. Next:\n  mudline run {path}\n  mudline report " +

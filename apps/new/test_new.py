@@ -52,10 +52,10 @@ class New(MudlineCase):
             self.assertIn("body 'pile': 0.5 m wide", said)
             self.assertIn("\n  mudline report results/my_pile results/my_pile_longer_rest\n", said)
             clay = next(line for line in said.splitlines() if "material 'clay'" in line)
-            lowest, highest = (float(word) for word in clay.partition("s_u ")[2].partition(" Pa")[0].split(" to "))
+            lowest, highest = (float(word) for word in clay.partition("s_u ")[2].partition(" kPa")[0].split(" to "))
             depth = 2 + 8 * 0.5
-            self.assertAlmostEqual(lowest / 4e3, 1, delta=0.01)
-            self.assertAlmostEqual(highest / (4e3 + float(growth.split()[0]) * 1e3 * depth), 1, delta=0.01)
+            self.assertAlmostEqual(lowest / 4, 1, delta=0.01)
+            self.assertAlmostEqual(highest / (4 + float(growth.split()[0]) * depth), 1, delta=0.01)
             self.assertIn(overconsolidation, clay)
 
     def test_a_column_consolidates_as_theory_says(self):
@@ -83,10 +83,25 @@ class New(MudlineCase):
         for name, value in (("height", "2 m"), ("load", "10 kPa"), ("modulus", "3 MPa"), ("share", "90 %")):
             self.assertIn(f'name="{name}" type="double" value="{value}"', text)
 
+    def test_a_size_in_the_wrong_unit_is_doubted(self):
+        """A pile of 50 m instead of 50 cm: one line with numbers; and what has no unit is said to count in SI units."""
+        said, _ = self.written("pile", "--diameter", "50", "--su_top", "4 kPa")
+        self.assertIn("\nwarning: body 'pile': its width is 50 m, usual is 50 mm to 12 m (plausibility/body width): give lengths in m, or "
+                      'with a unit, as "50 cm"\n', said)
+        self.assertIn("\nwithout a unit, so in SI units: --diameter 50\n", said)
+        said, _ = self.written("pile", "--diameter", "50 cm", "--overwrite")
+        self.assertNotIn("warning", said)
+        self.assertNotIn("without a unit", said)
+
     def test_refused(self):
         self.refused("there is no 'pil' (did you mean 'pile'?)", "pil")
         self.refused("there is no 'x'; there are: " + ", ".join(KINDS), "x")
         self.refused("unrecognized arguments: --diamter 3 (did you mean '--diameter'?)", "pile", "--diamter", "3")
+        self.refused("--diameter: 0,5: decimals need a point", "pile", "--diameter", "0,5")
+        self.refused("unrecognized arguments: 0.5 6; numbers have names, and those with a unit quotation marks: "
+                     '--diameter "0.4 m"', "pile", "0.5", "6")
+        self.refused("unrecognized arguments: km; numbers have names, and those with a unit quotation marks: "
+                     '--diameter "0.9 m"', "anchor", "--drop", "600", "km")
         self.refused("--diameter: -1 m is not above 0", "pile", "--diameter=-1 m")
         self.refused("--su_growth: 0 is not above 0", "pile", "--su_growth", "0")
         self.refused("--diameter: given '4 kg', which measures something else than '0.4 m', the value that it "

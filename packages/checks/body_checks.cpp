@@ -39,6 +39,10 @@ void largest_extent(const BodySetup& of, const Judge& judge) {
         "give lengths in m (a file in mm has a thousand times as much), or the file's 'scale'");
 }
 
+void width_of(const BodySetup& of, const Judge& judge) {
+  judge(of.width, of.called() + ": its width", "give lengths in m, or with a unit, as \"50 cm\"");
+}
+
 void over_mesh(const BodySetup& of, const Judge& judge) {
   const Bounds& mesh = of.model.mesh().bounds();
   double most = 0, half = 0;
@@ -53,7 +57,7 @@ void over_mesh(const BodySetup& of, const Judge& judge) {
   constexpr double plate = 25;
   const bool round = of.body.of_revolution() || (of.dim == 3 && of.model.soil()->pressure >= 0);
   if (of.surfaces.sides > 0 && (round || most > plate))
-    judge(most, of.called() + ": its half width, " + told(half) + " m, over the mesh's on its wider side",
+    judge(most, of.called() + ": its half width, " + readable(half, "m", 3) + ", over the mesh's on its wider side",
           "make the mesh wider, or give the body's lengths in m");
 }
 
@@ -78,7 +82,7 @@ void fit(const BodySetup& of, const Judge& judge) {
   if (of.surfaces.misfit > 0 && of.surfaces.reach > 0)
     judge(of.surfaces.misfit / of.surfaces.reach,
           of.called() + ": the distance between its shape and the hole of the mesh that it lies in, " +
-              told(of.surfaces.misfit) + " m, in sides,",
+              readable(of.surfaces.misfit, "m", 3) + ", in sides,",
           "give mesh and body the same lengths (tip, diameter, position)");
 }
 
@@ -184,7 +188,7 @@ void gyration(const BodySetup& of, const Judge& judge) {
   if (!of.free() || !of.release->rotates() || !(p.mass > 0)) return;
   const auto tell = [&](double inertia) {
     judge(std::sqrt(inertia / p.mass) / of.size,
-          of.called() + ": a radius of gyration over its largest extent, " + told(of.size) + " m,",
+          of.called() + ": a radius of gyration over its largest extent, " + readable(of.size, "m", 3) + ",",
           "give the moments of inertia in kg m2 about the centre of mass, and the mass in kg");
   };
   if (of.dim == 2) {
@@ -292,10 +296,10 @@ void way(const BodySetup& of, const Judge& judge) {
   for (const auto& place : of.places)
     farthest = std::max(farthest, length(place.displacement) + place.angle * of.size / 2);
   if (driven(of))
-    judge(
-        farthest / of.surfaces.shortest,
-        of.called() + ": its prescribed displacement, " + told(farthest) + " m, over the shortest side of the surface",
-        "its motion does not move it within the stages: look at its function, the stages' durations and the ramp");
+    judge(farthest / of.surfaces.shortest,
+          of.called() + ": its prescribed displacement, " + readable(farthest, "m", 3) +
+              ", over the shortest side of the surface",
+          "its motion does not move it within the stages: look at its function, the stages' durations and the ramp");
 }
 
 void depth(const BodySetup& of, const Judge& judge) {
@@ -305,9 +309,10 @@ void depth(const BodySetup& of, const Judge& judge) {
   const double top = of.surfaces.box.high[of.up], bottom = of.model.mesh().bounds().low[of.up];
   const double below = top - (of.box.low[of.up] + down);
   if (down < 0)
-    judge(below / std::max(top - bottom, 1e-300),
-          of.called() + ": the depth that its prescribed path reaches, " + told(below) + " m, over the mesh's",
-          "velocity times duration is its displacement: look at units (mm/s, minutes), or make the mesh deeper");
+    judge(
+        below / std::max(top - bottom, 1e-300),
+        of.called() + ": the depth that its prescribed path reaches, " + readable(below, "m", 3) + ", over the mesh's",
+        "velocity times duration is its displacement: look at units (mm/s, minutes), or make the mesh deeper");
 }
 
 void ways_aside(const BodySetup& of, const Judge& judge) {
@@ -318,8 +323,8 @@ void ways_aside(const BodySetup& of, const Judge& judge) {
     for (const auto& place : of.places) far = std::max(far, std::abs(place.displacement[i]));
     if (far > 0)
       judge(far / (mesh.high[i] - mesh.low[i]),
-            of.called() + ": its prescribed displacement along " + axis_names[i] + ", " + told(far) +
-                " m, over the mesh's extent",
+            of.called() + ": its prescribed displacement along " + axis_names[i] + ", " + readable(far, "m", 3) +
+                ", over the mesh's extent",
             "velocity times duration is its displacement: look at units, or make the mesh wider");
   }
 }
@@ -382,9 +387,9 @@ void force_size(const BodySetup& of, const Judge& judge) {
         of.body.properties().geometry == Geometry::plane_strain ? of.width : of.width * of.shadow.length;
     if (most > 0 && modulus > 0)
       judge(most / area / modulus,
-            of.called() + ": its largest load in stage '" + motion.stage + "', " + told(most) +
-                " N, over its width times its length (plane strain: width) and the soil's modulus, " + told(modulus) +
-                " Pa,",
+            of.called() + ": its largest load in stage '" + motion.stage + "', " + readable(most, "N", 3) +
+                ", over its width times its length (plane strain: width) and the soil's modulus, " +
+                readable(modulus, "Pa", 3) + ",",
             "give forces in N and mass in kg");
   }
 }
@@ -403,8 +408,8 @@ void speed_gain(const BodySetup& of, const Judge& judge) {
   // counted twice
   if (then > -2 * velocity[of.up]) return;
   judge(then / -velocity[of.up],
-        of.called() + ": the speed at the soil, " + told(then) + " m/s after a fall of " + told(of.surfaces.gap) +
-            " m, over its initial velocity",
+        of.called() + ": the speed at the soil, " + told(then) + " m/s after a fall of " +
+            readable(of.surfaces.gap, "m", 3) + ", over its initial velocity",
         "an initial velocity is that at the body's 'position': start it at the soil, or from rest");
 }
 
@@ -441,6 +446,7 @@ void tip(const BodySetup& of, const Judge& judge) {
 std::vector<Check<BodySetup>> body_checks() {
   return {
       {{"body size", "m", {1e-3, 200}, "of a body, its largest extent as far as it is drawn"}, largest_extent},
+      {{"body width", "m", {1e-3, 100}, "of a body, across the vertical"}, width_of},
       {{"body over mesh", "-", {0, 1.001}, "half width of a body over that of the mesh from its middle on"}, over_mesh},
       {{"beside the surface", "-", {0, 1e-6}, "how far a body stands beside its contact's surface, in widths"}, aside},
       {{"facing", "-", {0, 1.001}, "cosine between the sides that are nearest to a body and its surface there"},

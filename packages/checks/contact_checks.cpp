@@ -23,8 +23,8 @@ void judge_penalty(const ContactSetup& of, bool augmented, const std::string& ad
                            ? std::min(of.soil.stiffness, bearing_factor * of.soil.strength / (0.5 * of.soil.side))
                            : of.soil.stiffness;
   judge(given / bears,
-        of.called() + ": its 'penalty' of " + told(given) + " Pa/m over what the soil behind it bears, " + told(bears) +
-            " Pa/m (modulus over element height, or ten times the strength over half a side),",
+        of.called() + ": its 'penalty' of " + readable(given, "Pa/m", 3) + " over what the soil behind it bears, " +
+            readable(bears, "Pa/m", 3) + " (modulus over element height, or ten times the strength over half a side),",
         advice);
 }
 
@@ -110,7 +110,7 @@ void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
   if (value > 0 && of.soil.strength > 0)
     judge(value / of.soil.strength,
           of.called() + ": its 'adhesion' over the largest undrained strength at the surface, " +
-              told(of.soil.strength) + " Pa,",
+              readable(of.soil.strength, "Pa", 3) + ",",
           "the soil shears before: give a share of the strength");
 }
 
@@ -153,8 +153,8 @@ void surcharge(const ContactSetup& of, const Judge& judge) {
     const double most = std::max(std::abs(load(0, {})), std::abs(load(time, {})));
     if (together && of.soil.side > 0)
       judge(most / (of.soil.stiffness * of.soil.side),
-            of.called() + ": condition '" + name + "' loads its surface with " + told(most) +
-                " Pa where the body covers it too, and takes that from the traction that friction grows with; over the "
+            of.called() + ": condition '" + name + "' loads its surface with " + readable(most, "Pa", 3) +
+                " where the body covers it too, and takes that from the traction that friction grows with; over the "
                 "soil's modulus this",
             "let the load act beside the body alone, or model it by the initial state's 'surcharge' and weight");
   }

@@ -97,8 +97,8 @@ double friction(const Setup& setup) {
 void cells_under_load(const Setup& setup, const Judge& judge) {
   for (const Patch& patch : patches(setup))
     judge(patch.cells,
-          "condition '" + patch.name + "': the number of cells under its half width of " + told(patch.half) +
-              " m, those of quadratic cells counted twice,",
+          "condition '" + patch.name + "': the number of cells under its half width of " +
+              readable(patch.half, "m", 3) + ", those of quadratic cells counted twice,",
           "refine there: stresses change most at its edge");
 }
 
@@ -109,8 +109,8 @@ void domain_width(const Setup& setup, const Judge& judge) {
     const double reach =
         patch.reach * 2 * patch.half * std::tan(0.25 * pi + 0.5 * phi) * std::exp(0.5 * pi * std::tan(phi));
     judge(patch.beside / reach,
-          "condition '" + patch.name + "': the distance from its edge to the side of the mesh, " + told(patch.beside) +
-              " m, over the reach of a collapse, " + told(reach) + " m,",
+          "condition '" + patch.name + "': the distance from its edge to the side of the mesh, " +
+              readable(patch.beside, "m", 3) + ", over the reach of a collapse, " + readable(reach, "m", 3) + ",",
           "widen the mesh: the sides hold what should move");
   }
 }
@@ -121,8 +121,8 @@ void domain_depth(const Setup& setup, const Judge& judge) {
     const double reach = patch.reach * patch.half * std::cos(phi) / std::cos(0.25 * pi + 0.5 * phi) *
                          std::exp((0.25 * pi + 0.5 * phi) * std::tan(phi));
     judge(setup.extent(setup.vertical()) / reach,
-          "condition '" + patch.name + "': the depth of the mesh, " + told(setup.extent(setup.vertical())) +
-              " m, over that of a collapse, " + told(reach) + " m,",
+          "condition '" + patch.name + "': the depth of the mesh, " + readable(setup.extent(setup.vertical()), "m", 3) +
+              ", over that of a collapse, " + readable(reach, "m", 3) + ",",
           "deepen the mesh, where the base is no rock");
   }
 }

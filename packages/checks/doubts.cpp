@@ -29,19 +29,19 @@ bool Doubts::usual(const std::string& name, double value) const {
   return value >= range[0] && value <= range[1];
 }
 
-std::string Doubts::unit_behind(const std::string& name) const {
-  const std::string unit = find(name).unit;
-  return unit == "-" ? "" : " " + unit;
-}
-
 std::string Doubts::line(const std::string& name, double value, const std::string& what,
                          const std::string& advice) const {
   if (usual(name, value)) return "";
   const Usual& quantity = find(name);
-  const std::string low = told(quantity.range[0], "%.4g"), high = told(quantity.range[1], "%.4g");
-  const std::string range = quantity.range[1] >= any_size ? low + " or more" : low + " to " + high;
-  return what + " is " + told(value, "%.4g") + unit_behind(name) + ", usual is " + range + " (plausibility/" + name +
-         ")" + (advice.empty() ? "" : ": " + advice);
+  const double low = quantity.range[0], high = quantity.range[1];
+  const std::string unit = quantity.unit;
+  const bool pure = unit == "-";
+  const std::string given = pure ? told(value, "%.4g") : readable(value, unit);
+  const std::string range = high >= any_size ? (pure ? told(low, "%.4g") : readable(low, unit)) + " or more"
+                            : pure           ? told(low, "%.4g") + " to " + told(high, "%.4g")
+                                             : readable_range(low, high, unit);
+  return what + " is " + given + ", usual is " + range + " (plausibility/" + name + ")" +
+         (advice.empty() ? "" : ": " + advice);
 }
 
 void Doubts::judge(const std::string& name, double value, const std::string& what, const std::string& advice) {

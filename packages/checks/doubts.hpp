@@ -29,11 +29,11 @@ class Doubts {
   void parameters(Parameters& p);
   /// Whether a value lies within the usual range of the quantity.
   bool usual(const std::string& name, double value) const;
-  /// " Pa", or "" for a quantity without a unit.
-  std::string unit_behind(const std::string& name) const;
+  /// "Pa"; "-" for a quantity without a unit.
+  std::string unit(const std::string& name) const { return find(name).unit; }
   double lowest(const std::string& name) const { return find(name).range[0]; }
   double highest(const std::string& name) const { return find(name).range[1]; }
-  /// "<what> is 3 m, usual is 0 to 1 (plausibility/name): <advice>"; "" for what is usual.
+  /// "<what> is 3 m, usual is 0 to 1 m (plausibility/name): <advice>"; "" for what is usual.
   std::string line(const std::string& name, double value, const std::string& what,
                    const std::string& advice = "") const;
   /// Keeps that line, if there is one.

@@ -86,8 +86,8 @@ void load_over_stiffness(const Setup& setup, const Judge& judge) {
     const double size = largest(setup, condition).first;
     if (size > 0)
       judge(size / setup.soil().modulus,
-            called(condition) + "its largest size, " + told(size) + " Pa, over the soil's stiffness, " +
-                told(setup.soil().modulus) + " Pa,",
+            called(condition) + "its largest size, " + readable(size, "Pa", 3) + ", over the soil's stiffness, " +
+                readable(setup.soil().modulus, "Pa", 3) + ",",
             "give loads and moduli in Pa");
   }
 }
@@ -194,8 +194,8 @@ void load_steps(const Setup& setup, const Judge& judge) {
         judge(worst,
               "stage '" + stage.name + "', condition '" + condition.name +
                   "': the part of its function that the steps pass over, of its range,",
-              "take steps of a tenth of its shortest rise or period; the first is " + told(stage.control.initial) +
-                  " s, the largest " + told(stage.control.maximum) + " s");
+              "take steps of a tenth of its shortest rise or period; the first is " +
+                  readable(stage.control.initial, "s", 3) + ", the largest " + readable(stage.control.maximum, "s", 3));
     }
   }
 }
@@ -228,8 +228,8 @@ void prescribed_displacement(const Setup& setup, const Judge& judge) {
     }
     if (distance > 0)
       judge(distance / longest,
-            called(condition) + "its largest displacement, " + told(distance) +
-                " m, over the largest extent of the mesh,",
+            called(condition) + "its largest displacement, " + readable(distance, "m", 3) +
+                ", over the largest extent of the mesh,",
             "give m and m/s (-5 may be mm)");
   }
 }
@@ -379,8 +379,8 @@ void consolidation_time(const Setup& setup, const Judge& judge) {
   }
   if (!driven || path == 0) return;
   judge(setup.soil().consolidation * time / (path * path),
-        "c_v t/H^2 of the drained stages, with c_v = " + told(setup.soil().consolidation) + " m2/s, t = " + told(time) +
-            " s, H = " + told(path) + " m,",
+        "c_v t/H^2 of the drained stages, with c_v = " + told(setup.soil().consolidation) +
+            " m2/s, t = " + readable(time, "s", 3) + ", H = " + readable(path, "m", 3) + ",",
         "give durations in s and conductivities in m/s: nothing consolidates before 1e-3, all is over at 2");
 }
 

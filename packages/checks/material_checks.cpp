@@ -243,7 +243,7 @@ void grain_compressibility(const Setup& setup, const Judge& judge) {
     const double bulk = mean.modulus - 4.0 / 3 * mean.shear;
     const double share = grains.known() && grains.high > 0 ? bulk / grains.high : 0;
     judge((alpha.known() ? alpha.high : 1) + share,
-          material(entry) + "'Biot coefficient' + K/'grain bulk modulus', with K = " + told(bulk) + " Pa,",
+          material(entry) + "'Biot coefficient' + K/'grain bulk modulus', with K = " + readable(bulk, "Pa", 3) + ",",
           "alpha = 1 - K/K_s: give both, K_s in Pa, as 36e9 (36 is GPa, 3.6e7 kPa)");
   }
 }
@@ -252,10 +252,10 @@ void weight_over_stiffness(const Setup& setup, const Judge& judge) {
   const auto& soil = setup.soil();
   if (setup.gravity() == 0 || !(soil.modulus > 0)) return;
   const double weight = soil.density * setup.gravity() * setup.extent(setup.vertical());
-  judge(
-      weight / soil.modulus,
-      "the soil's own weight, " + told(weight) + " Pa at the base, over its stiffness, " + told(soil.modulus) + " Pa,",
-      "give stiffnesses in Pa, densities in kg/m3 and lengths in m: a model in kPa needs t/m3");
+  judge(weight / soil.modulus,
+        "the soil's own weight, " + readable(weight, "Pa", 3) + " at the base, over its stiffness, " +
+            readable(soil.modulus, "Pa", 3) + ",",
+        "give stiffnesses in Pa, densities in kg/m3 and lengths in m: a model in kPa needs t/m3");
 }
 
 void rigidity(const Setup& setup, const Judge& judge) {

@@ -159,16 +159,16 @@ void PenetrationWatch::look_at(const Model& model, const std::string& name, cons
   if (!far && !deep && !wide) return;
   const Pressed at = pressed(model, name, contact);
   const double side = at.side > 0 ? at.side : shortest;
-  const std::string numbers = "its penetration, " + told(depth) + " m at t " + told(time, "%.6g") +
-                              " s after a distance of " + told(record.displacement) + " m in sides of " + told(side) +
-                              " m,";
-  const std::string soil = "the penalty of " + told(at.penalty) +
-                           " Pa/m deforms, not the soil, whose stiffness over height is " + told(at.stiffness) +
-                           " Pa/m";
+  const std::string numbers = "its penetration, " + readable(depth, "m", 3) + " at t " + told(time, "%.6g") +
+                              " s after a distance of " + readable(record.displacement, "m", 3) + " in sides of " +
+                              readable(side, "m", 3) + ",";
+  const std::string soil = "the penalty of " + readable(at.penalty, "Pa/m", 3) +
+                           " deforms, not the soil, whose stiffness over height is " +
+                           readable(at.stiffness, "Pa/m", 3);
   const auto advice = [&](double share, const std::string& quantity) {
     const double wanted = std::max(at.penalty * share / (0.5 * doubts_.highest(quantity)), 10 * at.stiffness);
-    return soil + "; give a 'penalty' of " + told(wanted) +
-           " Pa/m or more, or 'enforcement' = augmented Lagrangian, or refine the surface, and doubt the forces from "
+    return soil + "; give a 'penalty' of " + readable(wanted, "Pa/m", 3) +
+           " or more, or 'enforcement' = augmented Lagrangian, or refine the surface, and doubt the forces from "
            "there on";
   };
   const struct {
@@ -204,9 +204,9 @@ void PenetrationWatch::end_run(const RunView&, RunEnd end) {
   if (end != RunEnd::done) return;
   for (const auto& [name, record] : records_)
     if (record.worst > 0)
-      log::warn("contact '" + name + "' was too soft during the run: its penetration was " + told(record.worst_depth) +
-                " m, " + told(record.worst) + " of " + record.over + ", at t " + told(record.worst_time, "%.6g") +
-                " s (see plausibility/" + record.quantity + ")");
+      log::warn("contact '" + name + "' was too soft during the run: its penetration was " +
+                readable(record.worst_depth, "m", 3) + ", " + told(record.worst) + " of " + record.over + ", at t " +
+                told(record.worst_time, "%.6g") + " s (see plausibility/" + record.quantity + ")");
 }
 
 }  // namespace mudline

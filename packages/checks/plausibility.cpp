@@ -176,11 +176,8 @@ void Plausibility::tell_materials() {
     for (int i = 0; i < count; ++i) {
       of[i] = {min_over_ranks(comm, of[i].low), max_over_ranks(comm, of[i].high)};
       if (!of[i].known()) continue;
-      const std::string unit = usual_.unit_behind(quantity[i]);
-      line += (line.empty() ? " " : ", ") + std::string(symbol[i]) +
-              (text("%.3g", of[i].low) == text("%.3g", of[i].high) ? text(" %.3g", of[i].low)
-                                                                   : text(" %.3g to %.3g", of[i].low, of[i].high)) +
-              unit;
+      line += (line.empty() ? " " : ", ") + std::string(symbol[i]) + " " +
+              readable_range(of[i].low, of[i].high, usual_.unit(quantity[i]), 3);
       if (i == mean) stressed_ = stressed_ || of[i].high > 0;
       usual_.judge(quantity[i], of[i].high, "material '" + name + "': the " + quantity[i]);
     }
@@ -200,10 +197,10 @@ void Plausibility::tell_mesh() {
   for (Span* extent : {&side, &wave, &diffusion})
     *extent = {min_over_ranks(comm, extent->low), max_over_ranks(comm, extent->high)};
   shortest_wave_ = wave.low;
-  std::string line = text("elements: sides of %.3g to %.3g m; a wave crosses one in %.2g to %.2g s", side.low,
-                          side.high, wave.low, wave.high);
+  std::string line = "elements: sides of " + readable_range(side.low, side.high, "m", 3) + "; a wave crosses one in " +
+                     readable_range(wave.low, wave.high, "s", 2);
   if (diffusion.known())
-    line += text(", pore pressure spreads through one in %.2g to %.2g s", diffusion.low, diffusion.high);
+    line += ", pore pressure spreads through one in " + readable_range(diffusion.low, diffusion.high, "s", 2);
   facts_.push_back(line);
 }
 
@@ -212,15 +209,18 @@ void Plausibility::tell_body(const BodyPath& path) {
   const BodyProperties& properties = body.properties();
   const std::string name = "body '" + body.name() + "'";
   const char* const per = properties.geometry == Geometry::plane_strain ? " per metre" : "";
-  std::string line = name + text(": %.3g m wide", 2 * path.radius());
+  std::string line = name + ": " + readable(2 * path.radius(), "m", 3) + " wide";
   if (properties.volume > 0) line += text(", volume %.3g m3", properties.volume) + per;
-  if (properties.mass > 0) line += text(", mass %.4g kg", properties.mass) + per;
+  if (properties.mass > 0) line += ", mass " + readable(properties.mass, "kg") + per;
   if (properties.mass > 0 && properties.volume > 0) {
     const double density = properties.mass / properties.volume, lost = 1000.0 * properties.volume;
-    line += text(", %.4g kg/m3, weight in water %.4g N", density, 9.81 * (properties.mass - lost));
+    line += ", " + readable(density, "kg/m3") + ", weight in water " + readable(9.81 * (properties.mass - lost), "N");
     if (path.release()) usual_.judge("body density", density, name + ": mass over volume");
   }
-  if (path.touches_anything()) line += text(", %.3g m from the soil", std::max(0.0, path.first_gap()));
+  if (path.touches_anything()) {
+    const double gap = path.first_gap(), rounding = 1e-9 * path.radius();
+    line += gap > rounding ? ", " + readable(gap, "m", 3) + " from the soil" : ", on the soil";
+  }
   facts_.push_back(line);
   if (!path.touches_anything()) return;
   doubt_body(path, name);
@@ -243,11 +243,14 @@ void Plausibility::doubt_body(const BodyPath& path, const std::string& name) {
     speed = std::sqrt(std::max(0.0, square));
     const double time = velocity != 0 || acceleration < 0 ? 2 * gap / std::max(1e-300, std::abs(velocity) + speed) : 0;
     if (gap > 0 && time > path.free_time())
-      usual_.tell(name + text(" needs %.3g s to reach the soil, and is free for %.3g s", time, path.free_time()));
+      usual_.tell(name + " needs " + readable(time, "s", 3) + " to reach the soil, and is free for " +
+                  readable(path.free_time(), "s", 3));
   }
   if (speed > 0) {
-    facts_.push_back(name + text(": %.3g m/s where it meets the soil", speed));
-    usual_.judge("speed", speed, name + ": its speed at the soil");
+    const bool prescribed = speed == path.largest_speed();
+    facts_.push_back(name + (prescribed ? ": moved at up to " + readable(speed, "m/s", 3)
+                                        : ": " + readable(speed, "m/s", 3) + " where it meets the soil"));
+    usual_.judge("speed", speed, name + (prescribed ? ": its largest speed" : ": its speed at the soil"));
   }
   const std::string layer = path.crossing_below(usual_.lowest("layer depth") * width);
   if (!layer.empty())
@@ -262,10 +265,9 @@ void Plausibility::doubt_shape(const BodyPath& path, const std::string& name) {
                 " is a body of revolution by its contour, but the mesh is in plane strain, where it is a wedge "
                 "or a wall: 'mesh/geometry' = axisymmetric?");
   if (path.surface_corner() > 0)
-    usual_.judge(
-        "corner", path.surface_corner() / path.radius(),
-        name + text(": the mesh has a corner of the surface at %.4g m, the body's radius is %.4g m; their ratio",
-                    path.surface_corner(), path.radius()));
+    usual_.judge("corner", path.surface_corner() / path.radius(),
+                 name + ": the mesh has a corner of the surface at " + readable(path.surface_corner(), "m") +
+                     ", the body's radius is " + readable(path.radius(), "m") + "; their ratio");
   if (path.release() || path.largest_speed() > 0)
     usual_.judge("sides under a body", static_cast<double>(path.sides_under().size()),
                  name + ": the number of sides of the surface that it covers");
@@ -297,11 +299,10 @@ void Plausibility::doubt_hole(const BodyPath& path, const Positions& positions, 
     if (!held.known() || water <= held.high) continue;
     usual_.judge(
         "drained hole", depth / (2 * path.radius()),
-        "body '" + path.body().name() + "': condition '" + condition->name +
-            text("' holds %.4g Pa on the wall of the hole that it opens too, where down to %.3g m water at rest has "
-                 "%.4g Pa: count from water at rest ('pore pressure' = excess in the physics biot); the hole's depth, "
-                 "in widths,",
-                 held.high, depth, water));
+        "body '" + path.body().name() + "': condition '" + condition->name + "' holds " + readable(held.high, "Pa") +
+            " on the wall of the hole that it opens too, where down to " + readable(depth, "m", 3) +
+            " water at rest has " + readable(water, "Pa") +
+            ": count from water at rest ('pore pressure' = excess in the physics biot); the hole's depth, in widths,");
   }
 }
 
@@ -383,19 +384,17 @@ void Plausibility::tell_stages(const Section& deck) {
     if (stage.type == Stage::Type::geostatic) continue;
     const std::string name = "stage '" + stage.name + "'";
     const double dt = stage.control.initial, steps = stage.control.steps_for(stage.duration, dt);
-    std::string line = name + text(": about %.0f steps, the first of %.3g s", steps, dt);
+    std::string line = name + text(": about %.0f steps, the first of ", steps) + readable(dt, "s", 3);
     if (stage.type == Stage::Type::dynamic)
-      line += text(", %.2g times that of a wave through an element", dt / shortest_wave_);
+      line += ", " + readable(dt / shortest_wave_, "-") + " times that of a wave through an element";
     facts_.push_back(line);
     usual_.judge("steps", steps, name + ": the expected number of steps");
     const double time = porous ? pressure_time(deck, i) : 0;
     if (time > 0)
-      usual_.judge(
-          "pressure step", dt / time,
-          name +
-              text(": the first step of %.3g s at a drained surface that is loaded, over h^2/(6 c_v) = %.3g s (refine "
-                   "there, or pore pressures oscillate),",
-                   dt, time));
+      usual_.judge("pressure step", dt / time,
+                   name + ": the first step of " + readable(dt, "s", 3) +
+                       " at a drained surface that is loaded, over h^2/(6 c_v) = " + readable(time, "s", 3) +
+                       " (refine there, or pore pressures oscillate),");
   }
 }
 

@@ -65,8 +65,8 @@ void StretchWatch::end_run(const RunView&, RunEnd end) {
                      "contact '" + name +
                          "': the length of the longest side at the body over that in the mesh at the "
                          "start, " +
-                         told(record.now) + " m over " + told(record.before) + " m at t " + told(record.time, "%.6g") +
-                         " s on a mesh that keeps its topology,",
+                         readable(record.now, "m", 3) + " over " + readable(record.before, "m", 3) + " at t " +
+                         told(record.time, "%.6g") + " s on a mesh that keeps its topology,",
                      "pressures and friction along the wall are not to be read; give 'mesh motion/remeshing' a 'wall "
                      "size', with which the sides there keep their length");
     if (!line.empty()) log::warn(line);

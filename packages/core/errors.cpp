@@ -66,7 +66,12 @@ std::string nearest(const std::string& given, const std::vector<std::string>& ca
 
 std::string suggestion(const std::string& given, const std::vector<std::string>& candidates) {
   if (candidates.empty()) return "; none is allowed here";
-  const std::string near = nearest(given, candidates);
+  std::string near = nearest(given, candidates);
+  const std::string word = normalised(given);
+  constexpr std::size_t shortest = 4;  // of a word that may be a part of a longer name
+  for (const std::string& candidate : candidates)
+    if (near.empty() && word.size() >= shortest && normalised(candidate).find(word) != std::string::npos)
+      near = candidate;
   return near.empty() ? "; allowed: " + join(candidates) : " (did you mean '" + near + "'?)";
 }
 

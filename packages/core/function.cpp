@@ -14,6 +14,7 @@
 #include "core/pi.hpp"
 #include "core/text.hpp"
 #include "core/unit.hpp"
+#include "core/written_number.hpp"
 
 namespace mudline {
 
@@ -58,7 +59,8 @@ class Expression : public FunctionBase {
     } catch (const mu::ParserError& error) {
       throw InputError(reason(error));
     }
-    if (parser_.GetNumResults() != 1) throw InputError("it gives several values separated by ','");
+    if (parser_.GetNumResults() != 1)
+      throw InputError("it gives several values separated by ','" + why_no_number(text));
   }
 
   /// Refuses assignments: muParser would overwrite x at "x = 3".

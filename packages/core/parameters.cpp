@@ -11,6 +11,7 @@
 #include "core/errors.hpp"
 #include "core/text.hpp"
 #include "core/unit.hpp"
+#include "core/written_number.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -42,8 +43,8 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& range, double& m
   } else if (entry.isType<double>()) {
     member = used_value<double>(entry);
   } else {
-    const std::string unknown = entry.isType<std::string>() ? unknown_unit(entry_text(entry)) : "";
-    throw Fault("expected a number (double), given " + describe_entry(entry) + unknown);
+    const std::string why = entry.isType<std::string>() ? why_no_number(entry_text(entry)) : "";
+    throw Fault("expected a number (double), given " + describe_entry(entry) + why);
   }
   check_range(member, number_text(member), range);
 }
@@ -208,7 +209,7 @@ void Parameters::number(const std::string& name, double& member, const std::stri
   read(full, [&](const Teuchos::ParameterEntry& entry) {
     const std::string text = entry_text(entry);
     const bool may_be_function =
-        varying_ != nullptr && entry.isType<std::string>() && !parse_number(text) && unknown_unit(text).empty();
+        varying_ != nullptr && entry.isType<std::string>() && !parse_number(text) && why_no_number(text).empty();
     if (!may_be_function) return convert(entry, range, member);
     const Function function = read_function_of_place(entry, section_->functions(), unit);
     if (!function.is_constant()) return varying_->push_back({name, unit, range, function, &member});
@@ -251,7 +252,8 @@ void Parameters::path(const std::string& name, std::string& member, const std::s
     const auto full = std::filesystem::absolute(std::filesystem::path(section_->folder()) / given).lexically_normal();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(full, ignored))
-      throw Fault("the file '" + given + "' does not exist (looked for " + full.string() + ")");
+      throw Fault("the file '" + given + "' does not exist (looked for " + full.string() + ")" +
+                  (given.find('\\') == std::string::npos ? "" : "; folders are separated by '/'"));
     member = full.string();
   });
 }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 
 #include "core/errors.hpp"
 #include "core/pi.hpp"
 #include "core/text.hpp"
+#include "core/written_number.hpp"
 
 namespace mudline {
 
@@ -28,6 +30,7 @@ const std::map<std::string, Unit>& units() {
                                                {"t", {1e3, kilogram}},
                                                {"Mg", {1e3, kilogram}},
                                                {"s", {1, second}},
+                                               {"us", {1e-6, second}},
                                                {"ms", {1e-3, second}},
                                                {"min", {minute, second}},
                                                {"h", {hour, second}},
@@ -173,7 +176,39 @@ std::string unknown_unit(const std::string& text) {
   std::vector<std::string> names;
   for (const auto& entry : units()) names.push_back(entry.first);
   const std::string near = nearest(rest, names);
-  return "; '" + rest + "' is no unit" + (near.empty() ? "" : " (did you mean '" + near + "'?)");
+  return "; '" + rest + "' is no unit" +
+         (near.size() > 1 ? " (did you mean '" + near + "'?)" : "; allowed: " + join(names));
+}
+
+std::string why_no_number(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto first = static_cast<unsigned char>(text[i]);
+    if (first < 0x80) continue;
+    // UTF-8: the first byte tells how many follow, which have six bits of the character each
+    const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    unsigned code = first & (0xffU >> (length + 1));
+    for (std::size_t k = 1; k < length && i + k < text.size(); ++k)
+      code = code << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+    char name[16];
+    std::snprintf(name, sizeof name, "U+%04X", code);
+    return "; it holds '" + text.substr(i, length) + "' (" + name +
+           "); numbers and units are written in plain ASCII, such as -1, m2, um, deg";
+  }
+  const std::string whole = trim(text);
+  const std::size_t comma = whole.find(',');
+  if (comma != std::string::npos && comma > 0 && comma == whole.rfind(',') && whole.find('(') == std::string::npos &&
+      std::isdigit(static_cast<unsigned char>(whole[comma - 1])) != 0 &&
+      std::isdigit(static_cast<unsigned char>(whole[comma + 1])) != 0)
+    return "; decimals need a point";
+  return unknown_unit(text);
+}
+
+std::vector<std::string> units_like(const std::string& declared) {
+  std::vector<std::string> names;
+  const auto unit = parse_unit(declared);
+  for (const auto& [name, known] : units())
+    if (unit && known.powers == unit->powers) names.push_back(name);
+  return names;
 }
 
 double number_in(const std::string& declared, const ValueWithUnit& quantity) {

@@ -11,6 +11,7 @@
 #include "core/errors.hpp"
 #include "core/function.hpp"
 #include "core/text.hpp"
+#include "core/written_number.hpp"
 
 namespace mudline {
 
@@ -137,8 +138,8 @@ Variables::Number Variables::number(const std::string& expression) const {
   std::string text = expression;
   std::replace(text.begin(), text.end(), '{', '(');
   std::replace(text.begin(), text.end(), '}', ')');
-  if (const std::string unknown = unknown_unit(expression); !unknown.empty())
-    throw InputError("expected a number, given '" + expression + "'" + unknown);
+  if (const std::string why = why_no_number(expression); !why.empty())
+    throw InputError("expected a number, given '" + expression + "'" + why);
   for (const std::string& word : words_of(text)) check_word(word);
   const std::string inside = bare(expression);
   const auto named = quantities_.find(inside.empty() ? trim(expression) : inside);
@@ -209,7 +210,7 @@ Variables::Value Variables::value(const Formula& formula) const {
   try {
     return {make_entry(formula.type, formula.text)};
   } catch (const InputError& error) {  // it says what is expected instead of what expressions may hold
-    throw InputError(error.what() + unknown_unit(formula.text) + hint_);
+    throw InputError(error.what() + why_no_number(formula.text) + hint_);
   }
 }
 

@@ -64,6 +64,7 @@ MISTAKES = [
     ("pushed", {BAR + "contour/diameter": 500.0}, "body size"),                               # mm
     ("pushed", {BAR + "contour/diameter": 5e-4}, "body size"),                                # km
     ("pushed", {BAR + "contour/diameter": 150.0}, "body over mesh"),
+    ("pushed", {BAR + "contour/diameter": 150.0}, "body width"),
     ("pushed", {BAR + "position": [0.0, 50.0]}, "first gap"),
     ("pushed", {BAR + "motion/velocity y": 0.1}, None),                                       # told by "moves away"
     ("pushed", {TOUCH + "surface": "left"}, "facing"),

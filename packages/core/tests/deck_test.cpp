@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/errors.hpp"
+#include "core/written_number.hpp"
 #include "input_error.hpp"
 
 namespace mudline {
@@ -101,7 +103,8 @@ TEST(Deck, IncompleteEntries) {
 TEST(Deck, ValuesMustFitTheDeclaredType) {
   EXPECT_EQ(error_of(parameter("double", "abc")), "deck.xml:3: mesh/size: expected a number (double), given 'abc'");
   EXPECT_EQ(error_of(parameter("double", "1.5 metres")),
-            "deck.xml:3: mesh/size: expected a number (double), given '1.5 metres'; 'metres' is no unit");
+            "deck.xml:3: mesh/size: expected a number (double), given '1.5 metres'; 'metres' is no unit; allowed: " +
+                join(units_like("m")));
   EXPECT_EQ(error_of(parameter("double", "nan")), "deck.xml:3: mesh/size: expected a finite number, given 'nan'");
   EXPECT_EQ(error_of(parameter("double", "-inf")), "deck.xml:3: mesh/size: expected a finite number, given '-inf'");
   EXPECT_EQ(error_of(parameter("int", "1.5")), "deck.xml:3: mesh/size: expected an integer (int), given '1.5'");
