@@ -127,6 +127,24 @@ void require_command(const CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// What to do about a command line that was refused: the option that was probably meant, or where the help is.
+std::string advice(const CLI::App& app, int argc, char** argv) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (int i = 1; i < argc; ++i) {
+      const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+      if (word.size() < 2 || word[0] != '-' || std::find(names.begin(), names.end(), word) != names.end()) continue;
+      if (word == "-n" || word == "-np" || word == "--ranks")
+        return "; ranks are those of the launcher: ./mudline -n 2 " + command->get_name() +
+               ", or mpirun -n 2 mudline " + command->get_name();
+      if (const std::string near = nearest(word, names); !near.empty()) return " (did you mean '" + near + "'?)";
+    }
+  }
+  return " (see mudline --help)";
+}
+
 /// A command of the program: its options, and what it does with them.
 struct Command {
   CLI::App* options;
@@ -327,7 +345,7 @@ int dispatch(int argc, char** argv, bool root) {
   } catch (const CLI::ParseError& error) {
     if (!root) return error.get_exit_code() == 0 ? 0 : 2;
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "error: " << printable(last_line(error.what())) << " (see mudline --help)" << std::endl;
+    std::cerr << "error: " << printable(last_line(error.what())) << advice(app, argc, argv) << std::endl;
     return 2;
   }
   log::configure(cli::rank(), quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);

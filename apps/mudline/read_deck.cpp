@@ -30,7 +30,10 @@ std::string read_everywhere(const Comm& comm, const std::string& path) {
     }
   }
   Teuchos::broadcast(comm, 0, 1, &length);
-  if (length < 0) throw InputError(path + ": the deck does not exist or cannot be read");
+  const std::string with_ending = path + ".xml";
+  if (length < 0)
+    throw InputError(path + ": the deck does not exist or cannot be read" +
+                     (std::filesystem::exists(with_ending) ? " (did you mean '" + with_ending + "'?)" : ""));
   text.resize(length);
   if (length > 0) Teuchos::broadcast(comm, 0, length, text.data());
   return text;
@@ -51,7 +54,14 @@ std::vector<std::string> base_decks() {
 Deck read_deck(const DeckOptions& options) {
   Deck deck;
   const auto comm = Tpetra::getDefaultComm();
-  for (const std::string& path : options.decks) deck.overlay(read_everywhere(*comm, path), path);
+  for (const std::string& setting : options.settings)  // before the value behind a blank is taken for a deck
+    if (setting.find('=') == std::string::npos) Deck().set(setting);
+  for (std::size_t i = 0; i < options.decks.size(); ++i) {
+    const std::string& path = options.decks[i];
+    if (std::count(options.decks.begin(), options.decks.end(), path) > 1)
+      throw InputError(path + ": given twice; the files after the deck are overlays, which replace parts of it");
+    deck.overlay(read_everywhere(*comm, path), path);
+  }
   for (;;) {  // a base may be based on another one
     const std::string entry = "based on", position = deck.position(entry), name = deck.take_text(entry);
     if (name.empty()) break;

@@ -97,6 +97,9 @@ def main(arguments):
     try:
         if options.jobs < 1:
             raise SweepError(f"--jobs wants a positive number, not {options.jobs}")
+        for setting in options.set:
+            if "=" not in setting:
+                raise SweepError(f"--set {setting}: expected section/parameter=value, such as stages/push/duration=2.0")
         sweep = SweepDeck(options.deck)
         for index in range(sweep.cases):
             sweep.settings_of(index)  # wrong formulas are found before the first run

@@ -61,6 +61,8 @@ std::vector<std::vector<double>> csv_columns(const std::string& file, const std:
       header = cells(line, separator);
       for (const std::string& name : names) {
         const auto place = std::find(header.begin(), header.end(), name);
+        if (const std::string bad = unfit(line, true); place == header.end() && !bad.empty())
+          fail("the file holds " + bad + "; a CSV file is plain text in UTF-8, not the spreadsheet itself");
         if (place == header.end()) fail("there is no column '" + name + "'" + suggestion(name, header));
         if (std::count(header.begin(), header.end(), name) > 1) fail("two columns are called '" + name + "'");
         places.push_back(place - header.begin());

@@ -3,6 +3,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,27 @@ std::string attribute_text(const char* value) {
   return text;
 }
 
+/// Line of the first section whose closing tag does not stand below its opening tag but further left, so that it is
+/// probably that of the section around it; 0: there is none.
+int left_open(const std::string& text) {
+  std::vector<std::pair<int, std::size_t>> open;  // line and indentation
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const std::size_t indentation = line.find_first_not_of(" \t");
+    if (indentation == std::string::npos) continue;
+    const bool opens = line.compare(indentation, 14, "<ParameterList") == 0;
+    const bool alone = line.find('<', indentation + 1) == std::string::npos && line.find("/>") != std::string::npos;
+    const bool closes = alone || line.find("</ParameterList>") != std::string::npos;
+    if (opens && !closes) open.emplace_back(number, indentation);
+    if (opens || line.compare(indentation, 16, "</ParameterList>") != 0) continue;
+    if (open.empty()) return 0;
+    if (indentation < open.back().second) return open.back().first;
+    open.pop_back();
+  }
+  return 0;
+}
+
 class Reader {
  public:
   Reader(std::string file, Sources& sources) : file_(std::move(file)), sources_(sources) {}
@@ -75,7 +97,7 @@ class Reader {
     }
     tinyxml2::XMLDocument document;
     document.Parse(text.c_str(), text.size());
-    if (document.Error()) malformed(document);
+    if (document.Error()) malformed(document, text);
     const tinyxml2::XMLElement* root = nullptr;
     for (const auto* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
       if (node->ToText() != nullptr)
@@ -99,9 +121,14 @@ class Reader {
     throw InputError(position(node) + ": " + (path.empty() ? "" : path + ": ") + message);
   }
 
-  [[noreturn]] void malformed(const tinyxml2::XMLDocument& document) const {
+  [[noreturn]] void malformed(const tinyxml2::XMLDocument& document, const std::string& text) const {
     const int line = std::max(1, document.ErrorLineNum());
-    throw InputError(file_ + ":" + std::to_string(line) + ": malformed XML: " + explanation(document.ErrorID()));
+    const bool open = document.ErrorID() == tinyxml2::XML_ERROR_PARSING ||
+                      document.ErrorID() == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT;
+    const int from = open ? left_open(text) : 0;
+    throw InputError(file_ + ":" + std::to_string(from > 0 ? from : line) + ": malformed XML: " +
+                     (from > 0 ? "by its indentation the section that begins here has no closing tag"
+                               : explanation(document.ErrorID())));
   }
 
   void check_attributes(const tinyxml2::XMLElement& element, const std::string& path,
@@ -146,7 +173,10 @@ class Reader {
     const std::string full = join_path(path, name);
     if (name != trim(name)) fail(element, full, "the name begins or ends with a space");
     check_text(element, full, "name", name);
-    if (name.find('/') != std::string::npos) fail(element, full, "a name cannot contain '/', which separates sections");
+    if (name.find('/') != std::string::npos)
+      fail(element, full,
+           std::string("a name cannot contain '/', which separates sections") +
+               (path == "settings" ? "; is this a sweep? `mudline sweep` runs it" : ""));
     if (list.isParameter(name))
       fail(element, full, "duplicated " + what + " (first given at " + sources_.at(full) + ")");
     return name;

@@ -84,9 +84,10 @@ class ProfileDefinition : public FunctionDefinition {
                    "values");
     for (std::size_t i = 1; i < depths_.size(); ++i)
       if (!(depths_[i] > depths_[i - 1]))
-        section.fail(
-            "depths must increase strictly: " + number_text(depths_[i]) + " after " + number_text(depths_[i - 1]),
-            file_.empty() ? "depths" : "file");
+        section.fail("depths must increase strictly: " + number_text(depths_[i]) + " after " +
+                         number_text(depths_[i - 1]) + " (row " + std::to_string(i + 1) + ")" +
+                         (depths_[i] < 0 ? "; they are counted down from the surface, as positive numbers" : ""),
+                     file_.empty() ? "depths" : "file");
     if (!file_.empty()) check_factor(section);
     for (double& value : values_) value *= factor_;
   }

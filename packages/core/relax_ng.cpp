@@ -3,18 +3,21 @@
 #include <set>
 
 #include "core/documentation.hpp"
+#include "core/errors.hpp"
 #include "core/text.hpp"
+#include "core/written_number.hpp"
 
 namespace mudline {
 
 namespace {
 
-// A number that is written otherwise: a name, or a number with an operator or a space behind it, and what follows. A
-// plain number is none, so that its range is not passed by. Kept short, because libraries translate a pattern anew
-// wherever it is used.
+// A number that is written otherwise: a name, or a number with an operator behind it, and what follows; or a number
+// with a unit that is a product. A plain number is none, so that its range is not passed by, and one with a single unit
+// is none, so that its dimension is not. Kept short, because libraries translate a pattern anew wherever it is used.
 const std::string follows = R"([A-Za-z0-9_.°%µ\s)(*/^,<>=?:&|!+\-]*)";
-const std::string formula = R"([\s(+\-!]*([A-Za-z_][A-Za-z0-9_]*([\s)(*/^,<>=?:&|+\-])" + follows +
-                            R"()?|[0-9.]+([eE][\-+]?[0-9]+)?[\s)(*/^<>=?:&|+\-])" + follows + ")";
+const std::string sign = R"([\s(+\-!]*)", number = R"([0-9.]+([eE][\-+]?[0-9]+)?)";
+const std::string formula = sign + R"(([A-Za-z_][A-Za-z0-9_]*([\s)(*/^,<>=?:&|+\-])" + follows + ")?|" + number +
+                            R"((\s*[)(*/^<>=?:&|+\-]|\s+[A-Za-z%]+[0-9^*/(\s]))" + follows + ")";
 const std::string array = R"(\s*\{[^{}]*\}\s*)";
 const std::string with_braces = R"(.*\{.*\}.*)";
 
@@ -94,6 +97,11 @@ std::string number_within(const std::string& range) {
   }
   return bounds.empty() ? "<data type=\"double\"/>" : "<data type=\"double\">" + bounds + "</data>";
 }
+/// A number with a single unit that measures what `declared` measures; any unit, where that is no unit but words.
+std::string number_with_unit(const std::string& declared) {
+  const std::vector<std::string> names = units_like(declared);
+  return data(sign + number + (names.empty() ? R"(\s+[A-Za-z%]+)" : R"(\s*()" + join(names, "|") + ")") + R"(\s*)");
+}
 std::string reference(const std::string& name) { return "<ref name=\"" + name + "\"/>"; }
 std::string choice(const std::string& patterns) {
   return patterns.empty() ? "<notAllowed/>" : "<choice>" + patterns + "</choice>";
@@ -116,7 +124,8 @@ std::string parameter(const ParameterDoc& doc) {
   const std::string text = written(value("string"), "<text/>");
   std::string ways = text;
   if (doc.type == "double" || doc.type == "function" || doc.type == "int") {
-    ways = written(choice(value("double") + value("int")), choice(number_within(doc.range) + data(formula)));
+    ways = written(choice(value("double") + value("int")),
+                   choice(number_within(doc.range) + number_with_unit(doc.unit) + data(formula)));
     if (doc.type == "function" || doc.may_vary) ways = choice(ways + text);  // the name of a function
   } else if (doc.type == "bool") {
     ways = written(value("bool"), choice(value("true") + value("false") + data(with_braces)));

@@ -64,6 +64,8 @@ const std::map<std::string, std::vector<std::string>>& other_names() {
       {"pile", {"flat pile"}},
       {"pinned", {"fixed"}},
       {"pop", {"preoverburden pressure"}},
+      {"pwp", {"pore pressure"}},
+      {"settlement", {"displacement", "fixed"}},
       {"pore water pressure", {"pore pressure"}},
       {"psi", {"dilation angle"}},
       {"quiet boundary", {"absorbing"}},
@@ -86,6 +88,8 @@ const std::map<std::string, std::vector<std::string>>& other_names() {
       {"viscous boundary", {"absorbing"}},
       {"water table", {"water level"}},
       {"weight", {"gravity", "density", "grain density"}},
+      {"t50", {"dissipated", "cone penetration test"}},
+      {"terzaghi", {"biot", "dissipated"}},
       {"young", {"Young's modulus"}},
   };
   return names;

@@ -4,11 +4,24 @@
 
 #include "core/errors.hpp"
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "discretisation/geometry_commands.hpp"
 #include "discretisation/gmsh_library.hpp"
 #include "discretisation/old_msh_file.hpp"
 
 namespace mudline {
+
+namespace {
+
+/// How a file with another extension becomes a mesh.
+std::string way_from(const std::string& extension) {
+  if (extension == ".inp" || extension == ".unv") return "; `mudline import` makes a .msh of it";
+  for (const char* drawing : {".step", ".stp", ".iges", ".igs", ".brep"})
+    if (lower_case(extension) == drawing) return "; a .geo merges it and names its groups (user guide, section 3)";
+  return "";
+}
+
+}  // namespace
 
 void GmshMesh::parameters(Parameters& p) {
   position_.remember(p);
@@ -19,7 +32,9 @@ void GmshMesh::parameters(Parameters& p) {
 
 void GmshMesh::check(const Section& section) {
   if (!is_gmsh_geometry(file_.name) && std::filesystem::path(file_.name).extension() != ".msh")
-    section.fail("expected a .msh or .geo file, given '" + short_name(file_.name) + "'", "file");
+    section.fail("expected a .msh or .geo file, given '" + short_name(file_.name) + "'" +
+                     way_from(std::filesystem::path(file_.name).extension()),
+                 "file");
   file_.overrides = gmsh_overrides(section, file_.name);
   if (!has_gmsh() && (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name)))
     section.fail(needs_gmsh(short_name(file_.name)) + "; allowed: mesh files (.msh) of the formats 1 to 2.2", "file");

@@ -105,6 +105,9 @@ std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& posit
 }
 
 void open_in_gmsh(const GmshFile& file, const SourcePosition& position) {
+  std::error_code ignored;
+  if (std::filesystem::file_size(file.name, ignored) == 0)
+    position.fail("'" + short_name(file.name) + "' is empty", "file");
   if (is_gmsh_geometry(file.name) && !ends_with_newline(file.name))
     position.fail("'" + short_name(file.name) + "' has no newline at its end, Gmsh would read nothing of it; add one",
                   "file");

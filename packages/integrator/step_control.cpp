@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/told.hpp"
+
 namespace mudline {
 
 void StepControl::parameters(Parameters& p) {
@@ -24,8 +26,14 @@ void StepControl::parameters(Parameters& p) {
 }
 
 void StepControl::check(const Section& section) const {
-  if (maximum > 0 && maximum < initial) section.fail("the maximum step must not be below the initial one", "maximum");
-  if (minimum > initial) section.fail("the minimum step must not be above the initial one", "minimum");
+  if (maximum > 0 && maximum < initial)
+    section.fail("the maximum step, " + readable(maximum, "s") + ", must not be below the initial one, " +
+                     readable(initial, "s"),
+                 "maximum");
+  if (minimum > initial)
+    section.fail("the minimum step, " + readable(minimum, "s") + ", must not be above the initial one, " +
+                     readable(initial, "s"),
+                 "minimum");
   if (hard_iterations < easy_iterations) section.fail("must not be below 'easy iterations'", "hard iterations");
 }
 

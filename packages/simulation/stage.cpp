@@ -115,7 +115,9 @@ std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIn
   stage->control.check(steps);
   stage->control.complete(stage->duration);
   if (stage->control.initial > stage->duration)
-    steps.fail("the first step must not be longer than the stage's duration", "initial");
+    steps.fail("the first step, " + readable(stage->control.initial, "s") +
+                   ", must not be longer than the stage's duration, " + readable(stage->duration, "s"),
+               "initial");
   if (reduces) stage->read_reduction(section.section("strength reduction"), steps);
   return stage;
 }

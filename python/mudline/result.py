@@ -65,7 +65,8 @@ def find_files(argument):
     if path.suffix == ".h5" and not path.is_file():
         raise MudlineError(f"{argument}: there is no such file")
     if not fields.is_file() and not history.is_file():
-        raise MudlineError(f"{argument}: there is no such result (neither {fields} nor {history} exists)")
+        of_deck = f"; it is a deck, whose results are mostly results/{path.stem}" if path.suffix == ".xml" else ""
+        raise MudlineError(f"{argument}: there is no such result (neither {fields} nor {history} exists){of_deck}")
     return (fields if fields.is_file() else None), (history if history.is_file() else None)
 
 

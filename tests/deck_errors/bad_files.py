@@ -47,7 +47,7 @@ $EndElements
 
 def gmsh(name, file, content, message, path="mesh/file", at='name="file"', more="", **options):
     changes = [BOX, CELL, CELLS, (UPPER, parameter("file", "string", file) + more)]
-    return Wrong(name, changes, f"{path}: {message}", at=at, files=[(file, content)] if content else [], **options)
+    return Wrong(name, changes, f"{path}: {message}", at=at, files=[(file, content)] if content is not None else [], **options)
 
 
 def plugin(name, file, message, content=None, **options):
@@ -67,7 +67,18 @@ DECKS = [
     Wrong("duplicated section", (section("solver"), section("solver") + "</ParameterList>" + section("solver")),
           f"solver: duplicated section (first given at deck.xml:{line_of(section('solver'))})", ranks=BOTH),
     Wrong("end tag missing", ("</ParameterList>\n  " + section("functions"), "\n  " + section("functions")),
-          "malformed XML: the file ends inside an element; a closing tag is missing", at=section("base"), ranks=BOTH),
+          "malformed XML: by its indentation the section that begins here has no closing tag", at=section("mesh"), ranks=BOTH),
+    Wrong("end tag of an inner section missing", ("</ParameterList>\n      " + section("fluid"), "\n      " + section("fluid")),
+          "malformed XML: by its indentation the section that begins here has no closing tag", at=section("skeleton")),
+    Wrong("a sweep that is run", (section("functions"), section("settings") + parameter("mesh/cells", "string", "{n, n}") + "</ParameterList>" +
+                                  section("functions")),
+          "settings/mesh/cells: a name cannot contain '/', which separates sections; is this a sweep? `mudline sweep` runs it"),
+    gmsh("mesh of Abaqus", "part.inp", "*NODE\n", "expected a .msh or .geo file, given 'part.inp'; `mudline import` makes a .msh of it"),
+    gmsh("drawing for a mesh", "part.STEP", "ISO-10303-21;\n", "expected a .msh or .geo file, given 'part.STEP'; a .geo merges it and names its "
+         "groups (user guide, section 3)", ranks=BOTH),
+    gmsh("empty geometry", "square.geo", "", "'square.geo' is empty"),
+    gmsh("folders of another system", "meshes\\square.geo", None, "the file 'meshes\\square.geo' does not exist (looked for {folder}/meshes\\square.geo); "
+         "folders are separated by '/'"),
     Wrong("quote missing", ('name="cells" type', 'name="cells type'),
           'malformed XML: an attribute is not written correctly (name="value") or given twice'),
     Wrong("misspelt tag", ('<Parameter name="cells"', '<Paramter name="cells"'), "mesh: unknown element <Paramter> (did you mean 'Parameter'?)"),

@@ -55,13 +55,24 @@ PROFILE = section("ratio") + "\n" + parameter("type", "string", "profile") + "\n
     parameter("file", "string", "sounding.csv") + "\n{}\n</ParameterList>\n"
 
 
-def with_sounding(name, depth, value, message, at, **where):
+ODD = "; it holds '{}' ({}); numbers and units are written in plain ASCII, such as -1, m2, um, deg"
+UNITS = ("%, GPa, J, K, MJ, MN, MPa, Mg, N, Pa, W, a, bar, cm, d, day, days, deg, degC, g, h, hour, hours, kJ, kN, kPa, kW, kg, km, m, min, mm, "
+         "month, months, ms, rad, s, t, um, us, week, weeks, year, years")
+
+
+def with_sounding(name, depth, value, message, at, rows="0,1.5\n10,1.2\n", **where):
     """The overconsolidation by two columns of a file."""
     columns = parameter("depth column", "string", depth) + "\n" + parameter("value column", "string", value)
     return Wrong(name, [(section("functions"), section("functions") + "\n" + PROFILE.format(columns)),
                         (parameter("overconsolidation ratio", "double", "1.5"),
                          parameter("overconsolidation ratio", "string", "ratio"))], message, at=at,
-                 files=(("sounding.csv", f"{depth},{value}\n0,1.5\n10,1.2\n"),), **where)
+                 files=(("sounding.csv", f"{depth},{value}\n{rows}"),), **where)
+
+
+def number(name, given, written, path, why, **where):
+    """A number of the deck, written in a way that is none."""
+    return Wrong(name, (f'type="double" value="{given}"', f'type="double" value="{written}"'),
+                 f"{path}: expected a number (double), given '{written}'{why}", **where)
 
 
 def with_variables(name, variables, value, message, at, **where):
@@ -266,7 +277,7 @@ DECKS = [
     Wrong("probe that is no point", (parameter("tip", "Array(double)", "{0.0, 0.3}"), parameter("tip", "string", "top")),
           "output/probes/tip: expected an array of numbers (Array(double)), given the string 'top'"),
     Wrong("decimal comma", (parameter("void ratio", "double", "1.2"), parameter("void ratio", "double", "1,2")),
-          "materials/clay/void ratio: expected a number (double), given '1,2'"),
+          "materials/clay/void ratio: expected a number (double), given '1,2'; decimals need a point"),
     Wrong("not a number", (parameter("void ratio", "double", "1.2"), parameter("void ratio", "double", "nan")),
           "materials/clay/void ratio: expected a finite number, given 'nan'"),
     Wrong("parameter for a section", (whole("fluid"), "      " + parameter("fluid", "string", "water") + "\n"),
@@ -449,6 +460,17 @@ DECKS = [
     with_sounding("depths in kPa", "depth [kPa]", "OCR [-]",
                   "functions/ratio/depth column: 'depth [kPa]' is no value in m",
                   at=parameter("depth column", "string", "depth [kPa]")),
+    with_sounding("heights for depths", "depth [m]", "OCR [-]",
+                  "functions/ratio/file: depths must increase strictly: -10 after 0 (row 2); they are counted down from the surface, as "
+                  "positive numbers", at=parameter("file", "string", "sounding.csv"), rows="0,1.5\n-10,1.2\n"),
+    number("a long minus sign", "-0.5", "\u22120.5", "bodies/ball/motion/velocity y", ODD.format("\u2212", "U+2212")),
+    number("a superscript", "20e3", "20 kN/m\u00b2", "physics/ground/initial state/surcharge", ODD.format("\u00b2", "U+00B2"), ranks=BOTH),
+    number("a no-break space", "20e3", "20\u00a0kPa", "physics/ground/initial state/surcharge", ODD.format("\u00a0", "U+00A0")),
+    number("a degree sign", "0.6", "0.6\u00b0", "physics/ground/initial state/K0", ODD.format("\u00b0", "U+00B0")),
+    number("a foreign unit", "20e3", "3 psi", "physics/ground/initial state/surcharge", "; 'psi' is no unit; allowed: " + UNITS),
+    number("a foreign unit of two letters", "20e3", "3 ft", "physics/ground/initial state/surcharge", "; 'ft' is no unit; allowed: " + UNITS),
+    Wrong("largest step below the first", (parameter("growth", "double", "1.2"), parameter("maximum", "double", "0.1 ms")),
+          "stages/push/time step/maximum: the maximum step, 0.1 ms, must not be below the initial one, 0.25 ms"),
     Wrong("balance of a dynamic stage", (PUSHED, PUSHED + parameter("balance tolerance", "double", "1e-3")),
           "stages/push/balance tolerance: only a geostatic stage finds a balance; given 'dynamic'"),
     Wrong("rates of a geostatic stage", (parameter("balance tolerance", "double", "1e-6"),
@@ -479,9 +501,9 @@ DECKS = [
                                    parameter("initial", "double", "1") + "</ParameterList>"),
           "stages/geostatic/time step: a geostatic stage takes no time and has no steps"),
     Wrong("first step too long", ("2.5e-4", "2.5e-2"),
-          "stages/push/time step/initial: the first step must not be longer than the stage's duration"),
+          "stages/push/time step/initial: the first step, 25 ms, must not be longer than the stage's duration, 10 ms"),
     Wrong("minimum above first step", (parameter("growth", "double", "1.2"), parameter("minimum", "double", "1e-3")),
-          "stages/push/time step/minimum: the minimum step must not be above the initial one"),
+          "stages/push/time step/minimum: the minimum step, 1 ms, must not be above the initial one, 0.25 ms"),
     Wrong("table runs backwards", ("{0.0, 0.001, 0.01}", "{0.0, 0.01, 0.001}"),
           "functions/load history/times: 'times' must increase strictly, but 0.001 follows 0.01", ranks=BOTH),
     Wrong("table of two lengths", ("{0.0, 0.001, 0.01}", "{0.0, 0.001}"),

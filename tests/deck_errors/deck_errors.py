@@ -182,7 +182,25 @@ class CommandLine(Answering):
         self.answer(["chek", "deck.xml"], "error: unknown command 'chek' (did you mean 'check'?)")
 
     def test_misspelt_option(self):
-        self.answer(["run", "deck.xml", "--step", "1"], "error: The following argument was not expected: --step (see mudline --help)")
+        self.answer(["run", "deck.xml", "--step", "1"], "error: The following argument was not expected: --step (did you mean '--steps'?)")
+        self.answer(["run", "deck.xml", "--slowly", "1"], "error: The following argument was not expected: --slowly (see mudline --help)")
+
+    def test_ranks_for_the_program(self):
+        for option in ("-n", "-np", "--ranks=2"):
+            line = program(["run", "deck.xml", option, "2"], folder=self.folder).stderr.strip()
+            self.assertTrue(line.endswith("; ranks are those of the launcher: ./mudline -n 2 run, or mpirun -n 2 mudline run"), line)
+
+    def test_a_setting_without_equals(self):
+        self.answer(["run", "deck.xml", "--set", "mesh/cells", "{4, 4}"],
+                    "error: --set mesh/cells: expected section/parameter=value, such as stages/push/duration=2.0")
+
+    def test_a_deck_without_its_ending(self):
+        for ranks in (1, 2):
+            self.answer(["check", "deck"], "error: deck: the deck does not exist or cannot be read (did you mean 'deck.xml'?)", ranks)
+
+    def test_a_deck_given_twice(self):
+        self.answer(["check", "deck.xml", "deck.xml"], "error: deck.xml: given twice; the files after the deck are overlays, which replace "
+                    "parts of it")
 
     def test_negative_steps(self):
         self.answer(["run", "deck.xml", "--steps", "-1"],
@@ -231,6 +249,7 @@ class CommandLine(Answering):
     def test_unknown_names(self):
         self.answer(["explain", "modifed cam clay"],
                     "error: nothing is called 'modifed cam clay', and no text of the reference holds it (did you mean 'modified cam clay'?)")
+        self.answer(["template", "cam clay"], "error: nothing is called 'cam clay' (did you mean 'modified cam clay'?)")
         self.answer(["template", "bio"], "error: nothing is called 'bio' (did you mean 'biot'?)")
         self.answer(["list", "physic"], "error: unknown kind 'physic' (did you mean 'physics'?)")
 

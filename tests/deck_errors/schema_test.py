@@ -95,6 +95,28 @@ class Schema(unittest.TestCase):
                 done = subprocess.run([PROGRAM, "check", path], capture_output=True, text=True)
                 self.assertEqual((done.returncode, "out of range" in done.stderr), (2, True), f"{name} {value}")
 
+    def test_units(self):
+        """A number with one unit of another dimension is refused, by schema and program alike; the right ones are not."""
+        with open(os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml"), encoding="utf-8") as file:
+            text = file.read()
+        for name, right, wrong in (("duration", ("1 day", "2h", "3600 s"), ("1 kPa", "5 m", "5 K")),
+                                   ("y", ("-10 kPa", "-1 N/m2", "-2*q"), ("-10 kN", "-3 s")),
+                                   ("porosity", ("40 %",), ("0.4 m", "40 kPa")),
+                                   ("Young's modulus", ("10 MPa", "10MPa", "10 N/mm2"), ("10 MN", "10 mpa", "10 psi"))):
+            pattern = re.compile(f'(name="{name}" type="double" value=)"[^"]*"')
+            for value in right + wrong:
+                changed, count = pattern.subn(lambda match: f'{match[1]}"{value}"', text)
+                self.assertEqual(count, 1, name)
+                with self.subTest(f"{name} {value}"):
+                    self.assertEqual(self.refused(etree.fromstring(changed.encode())), value in wrong)
+                    if "q" in value:
+                        continue
+                    path = os.path.join(self.folder.name, "deck.xml")
+                    with open(path, "w", encoding="utf-8") as file:
+                        file.write(changed)
+                    done = subprocess.run([PROGRAM, "check", path], capture_output=True, text=True)
+                    self.assertEqual(done.returncode, 2 if value in wrong else 0, done.stderr)
+
     def typos_of(self, tree):
         """[(what, element, attribute)] of a deck: words that the program knows, types, and values that are words."""
         found = []

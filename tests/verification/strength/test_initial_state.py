@@ -343,7 +343,7 @@ class Profile(StrengthCase):
                 (lists | columns, self.CSV, "functions/k0 profile/file: give either 'depths' and 'values' or a 'file' with its two columns"),
                 ({}, self.CSV, "give either 'depths' and 'values' or a 'file' with its two columns"),
                 ({**lists, "values": [0.5]}, self.CSV, "functions/k0 profile/values: 2 depths and 1 values; as many of each are needed, at least one"),
-                ({**lists, "depths": [0.0, 0.0]}, self.CSV, "functions/k0 profile/depths: depths must increase strictly: 0 after 0"),
+                ({**lists, "depths": [0.0, 0.0]}, self.CSV, "functions/k0 profile/depths: depths must increase strictly: 0 after 0 (row 2)"),
                 ({"file": "sounding.csv", "depth column": "z [m]"}, self.CSV, "functions/k0 profile/file: a file needs a 'value column'"),
                 ({**lists, "depth column": "z"}, self.CSV, "functions/k0 profile/depth column: without 'file' there are no columns"),
                 ({**columns, "value column": "K0[%]"}, self.CSV, "sounding.csv:2: there is no column 'K0[%]' (did you mean 'K0 [%]'?)"),
@@ -352,7 +352,7 @@ class Profile(StrengthCase):
                 (columns, "z [m],K0 [%]\n0,50\n2,5,57,5\n",
                  "sounding.csv:3: 4 cells, the first line has 2; decimals need a point"),
                 (columns, self.CSV.replace("57.5;", "57.5"), "sounding.csv:4: 2 cells, the first line has 3"),
-                (columns, self.CSV.replace("10;80", "1;80"), "functions/k0 profile/file: depths must increase strictly: 1 after 2.5"),
+                (columns, self.CSV.replace("10;80", "1;80"), "functions/k0 profile/file: depths must increase strictly: 1 after 2.5 (row 3)"),
                 (columns, "z [m]; K0 [%]\n", "has no rows of numbers")):
             with self.subTest(words=words):
                 self.write("sounding.csv", csv)
