@@ -501,7 +501,7 @@ DECKS = [
                                    parameter("initial", "double", "1") + "</ParameterList>"),
           "stages/geostatic/time step: a geostatic stage takes no time and has no steps"),
     Wrong("first step too long", ("2.5e-4", "2.5e-2"),
-          "stages/push/time step/initial: the first step, 25 ms, must not be longer than the stage's duration, 10 ms"),
+          "stages/push/time step/initial: the first step, 25 ms, must not be longer than the stage's duration, 1 ms"),
     Wrong("minimum above first step", (parameter("growth", "double", "1.2"), parameter("minimum", "double", "1e-3")),
           "stages/push/time step/minimum: the minimum step, 1 ms, must not be above the initial one, 0.25 ms"),
     Wrong("table runs backwards", ("{0.0, 0.001, 0.01}", "{0.0, 0.01, 0.001}"),
