@@ -63,7 +63,7 @@ def axes(count, width):
     import matplotlib.pyplot as plt
 
     figure, found = plt.subplots(1, count, figsize=(width, 3.8), constrained_layout=True)
-    for axis in found:
+    for axis in np.atleast_1d(found):
         axis.grid(color="#e3e3e3")
     return figure, found
 
