@@ -20,14 +20,14 @@ MEASURED = 1.0  # [-] peak uplift over compression of a sealed foundation, Mana 
 CASES = {"compression": ("film", -1), "uplift, film": ("film", 1), "uplift, open base": ("drained", 1)}
 
 
-def run(program, folder, case, changes=()):
+def run(program, folder, case):
     """Displacements [m] of a case, and by how much the soil's force has changed [N], in the sense of the motion."""
     drainage, sign = CASES[case]
     name = case.replace(", ", "_").replace(" ", "_")
     path = os.path.join(folder, name + ".csv")
     if not os.path.exists(path):
         changes = [f"variables/speed={sign * SPEED}", f"contacts/foundation/drainage={drainage}",
-                   f"output/folder={folder}", f"output/name={name}", *changes]
+                   f"output/folder={folder}", f"output/name={name}"]
         settings = [word for change in changes for word in ("--set", change)]
         subprocess.run([program, "run", "-q", laboratory.input_file("uplift.xml"), *settings], check=True)
     history = History(path)

@@ -27,7 +27,7 @@ from compared_case import COMPARED, LEVELS, described, record_file  # noqa: E402
 
 RECORDS = TOP / "build" / "release" / "records"
 PAGE, PICTURE = TOP / "docs" / "validation.md", TOP / "docs" / "pictures" / "validation.png"
-MEASUREMENTS = ("kaolin", "sand", "kaolin_cone", "clay_sites")
+MEASUREMENTS = ("kaolin", "sand", "kaolin_cone", "clay_sites", "fall_cone", "uplift", "anchors")
 
 # folder: table of the page
 TOPICS = {"consolidation": "consolidation and flow", "unsaturated soil": "unsaturated soil", "materials": "materials",
@@ -46,6 +46,11 @@ NOT_FOUND = """
 - The parameters of the kaolin in which the piezocones of May (1987) were pushed, and which strength was measured: the
   abstract has neither ([piezocone](measurements/kaolin_cone.md)). Those of another kaolin are used.
 - The name of the sand of GA-cal and its parameters of the intergranular strain ([sand](measurements/sand.md)).
+- Fall cone tests in a clay whose strength was measured at a stated rate, and the numbers of theoretical cone factors
+  ([fall cone](measurements/fall_cone.md)).
+- Geometry, mass, velocity, strength and depth of single anchors and free-falling penetrometers
+  ([anchors](measurements/anchors.md)); sizes and strengths of the skirted foundations
+  ([uplift](measurements/uplift.md)).
 """
 
 
@@ -279,7 +284,7 @@ def page(found, heads):
               *(line for name in MEASUREMENTS for line in misses(name)), ""]
     unmeasured = [topic for topic in dict.fromkeys(TOPICS.values())
                   if not any(problem.topic == topic and problem.level == "measured" for problem in rows)]
-    lines += ["The cones are compared on their pages only, no test repeats them. No test compares with a",
+    lines += ["Pushed cones and anchors are compared on their pages only, no test repeats them. No test compares with a",
               "measurement in " + "; ".join(unmeasured) + ".", "", "## Looked for and not found", "", NOT_FOUND.strip(), ""]
     return "\n".join(lines)
 
