@@ -67,7 +67,7 @@ def main():
         history = run(program, folder, size=size)
         deep = depth(history, 30)
         c = resistance(history, 30)[(deep > FROM) & (deep < TO)].mean()
-        print(f"| {size} | {c:.3f} | {3 / c:.2f} |")
+        print(f"| {size} | {1e3 * deep.max():.2f} | {c:.3f} | {3 / c:.2f} |")
     found = {case: run(program, folder, *case) for case in CASES}
     for case, history in found.items():
         angle, k = case[0], factor(history, case[0])
