@@ -21,6 +21,16 @@ class History {
   virtual bool may_relax() const { return false; }
 };
 
+/// A history term that completes the trial state once the step has converged: where state is better known from the
+/// whole step than within an iteration.
+class Completes {
+ public:
+  virtual ~Completes() = default;
+  /// Changes the trial state and, where it does, writes the forces of the changed state to F_n. Returns the number of
+  /// points on this rank where that failed. Collective.
+  virtual int complete(const StepView&, const NodalView& forces) = 0;
+};
+
 /// A term whose matrix costs less if the residual prepares for it: a soil law can return its tangent together with its
 /// stress.
 class Foresees {

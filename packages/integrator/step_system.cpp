@@ -260,6 +260,16 @@ int StepSystem::evaluate_terms() {
   return failures;
 }
 
+bool StepSystem::complete() {
+  int failures = 0;
+  for (std::size_t k = 0; k < active_.size(); ++k)
+    if (auto* const term = face<Completes>(*active_[k]))
+      failures += term->complete(view_, store_.trial().history_forces[history_slot(static_cast<int>(k))]);
+  failures = sum_over_ranks(*space_.dofs()->comm(), failures);
+  if (failures > 0) failure_ = std::to_string(failures) + " points failed when the step was completed";
+  return failures == 0;
+}
+
 bool StepSystem::residual(const Vector& x, Vector& f) {
   return evaluate(x, chord_.expects_jacobian(solver_.exact()), f);
 }

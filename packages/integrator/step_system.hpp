@@ -61,6 +61,9 @@ class StepSystem : public NonlinearProblem {
   void forget_evaluation() { evaluated_at_x_ = false; }
   /// The next jacobian() assembles the matrix.
   void forget_jacobian() { chord_.forget(); }
+  /// Completes the trial state of a step that has converged (see Completes); false, with the reason in failure(), where
+  /// that fails. Collective.
+  bool complete();
   /// Forgets all that was learnt from earlier linear solves.
   void forget_solver();
 

@@ -57,6 +57,10 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
   solve_step(newton, x, report);
   report.linear_iterations = system_.linear_iterations();
   report.factorisations = system_.factorisations();
+  if (report.converged && !system_.complete()) {
+    report.converged = false;
+    report.reason = system_.failure();
+  }
   if (report.converged) {
     system_.convergence().accept(x);
     Kokkos::deep_copy(system_.store().trial().predictor, system_.store().trial().rate);

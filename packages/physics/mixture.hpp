@@ -51,15 +51,17 @@ struct Mixture {
   }
 
   /// Porosity after the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step.
-  /// `warmer`: change of a temperature that is not among the scalar fields [K].
+  /// `warmer`: change of a temperature that is not among the scalar fields [K]. `swell`: volume strain ln J beyond that
+  /// of the volume ratio [-].
   template <class C, int S, class T>
-  KOKKOS_INLINE_FUNCTION T porosity(double void_ratio, const PointFields<C, S, T>& at, double warmer = 0) const {
+  KOKKOS_INLINE_FUNCTION T porosity(double void_ratio, const PointFields<C, S, T>& at, double warmer = 0,
+                                    double swell = 0) const {
     T grains = -warmer * grain_expansion;
     if constexpr (S > 0) {
       if (pressure >= 0) grains = at.change[pressure] * grain_compliance + grains;
       if (temperature >= 0) grains -= at.change[temperature] * grain_expansion;
     }
-    return porosity_after<T>(alpha, void_ratio / (1 + void_ratio), logarithm(at.volume_ratio), grains);
+    return porosity_after<T>(alpha, void_ratio / (1 + void_ratio), logarithm(at.volume_ratio) + swell, grains);
   }
   /// Densities [kg/m3] at a temperature [degC]; the density of water here does not depend on pressure.
   template <class T>

@@ -94,7 +94,8 @@ struct Soil {
       grain_expansion;  // by material number [1/K]: volumetric, of grains and drained skeleton; empty: 0
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
   bool viscosity_follows = false;                         // the viscosity of the water depends on the temperature
-  bool excess = false;  // pore pressures are in excess of water at rest, weights are submerged weights
+  bool water_dilatation = false;  // the laws of saturated soil see the volume strain of the water (WaterDilatation)
+  bool excess = false;            // pore pressures are in excess of water at rest, weights are submerged weights
   /// Unit vector against gravity, along which heights are counted; without gravity the mesh's last direction.
   Point up{};
   /// Height of the whole mesh at the start [m].

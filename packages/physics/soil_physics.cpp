@@ -18,6 +18,7 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   context.shared.offer(soil_);
   if (volume_strain_ == VolumeStrain::fitted) require_fit(section);
   soil_->excess = excess_;
+  soil_->water_dilatation = water_dilatation_;
   soil_->gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   soil_->up = gravity_.up(context.space.mesh().dimension());
   soil_->place_materials(context.materials_section);
@@ -77,6 +78,13 @@ void SoilPhysics::pore_water_parameters(Parameters& p) {
            "excess: counted from water at rest, whose weight then acts nowhere; total stresses, loads and contact "
            "pressures are in excess of the water's too");
   excess_ = counted == Counted::excess;
+  enum class Strain { water_balance, at_points };
+  Strain strain = Strain::water_balance;
+  p.choice("volume strain", strain, {{"water balance", Strain::water_balance}, {"at points", Strain::at_points}},
+           "the volume strain that the laws see. water balance: where the soil cannot drain within a step, that which "
+           "the balance of the water resolves; at points: that of each point's motion, which is wrong beside rough "
+           "walls");
+  water_dilatation_ = strain == Strain::water_balance;
 }
 
 void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& section, const std::string& otherwise) {

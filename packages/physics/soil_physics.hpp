@@ -29,7 +29,7 @@ class SoilPhysics : public Physics {
 
   std::shared_ptr<Soil> soil_;
   Gravity gravity_;
-  bool excess_ = false;
+  bool excess_ = false, water_dilatation_ = false;
   VolumeStrain volume_strain_ = VolumeStrain::at_points;
 
  private:

@@ -123,8 +123,16 @@ TotalStress total_stress(const Soil& soil, const SoilBlock& b, const StepView& v
 
 }  // namespace
 
-int StressDivergence::residual(const StepView& view, const ResidualView& f) {
+int StressDivergence::run(StressUpdate& update, const SoilBlock& block) {
   const int batch = elements_of_batch();
+  int failures = 0;
+  for (int first = 0; first < block.elements; first += batch)
+    failures += update.run(first, std::min(first + batch, block.elements));
+  if (failure_.empty()) failure_ = update.failure();
+  return failures;
+}
+
+int StressDivergence::residual(const StepView& view, const ResidualView& f) {
   int failures = 0;
   failure_.clear();
   kept_ = false;
@@ -137,9 +145,7 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
       all = PointView(Kokkos::view_alloc(Kokkos::WithoutInitializing, "tangents"), points, 36);
     using Tangent = StressUpdate::Tangent;
     StressUpdate update(*soil_, b, view, keeps_ ? Tangent::all : Tangent::none, all);
-    for (int first = 0; first < b.elements; first += batch)
-      failures += update.run(first, std::min(first + batch, b.elements));
-    if (failure_.empty()) failure_ = update.failure();
+    failures += run(update, b);
     add_residual(soil_->geometry, b, update.level(), total_stress(*soil_, b, view), f);
   }
   kept_ = keeps_ && failures == 0;
@@ -173,6 +179,23 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
   }
   kept_ = false;                                          // stored tangents serve one matrix only
   if (!broken.empty()) throw std::runtime_error(broken);  // after all element matrices, so that the ranks stay in step
+}
+
+int StressDivergence::complete(const StepView& view, const NodalView& forces) {
+  if (!soil_->water_dilatation || !view.flow) return 0;
+  if (!dilatation_) dilatation_ = std::make_unique<WaterDilatation>(*soil_);
+  const std::vector<PointView> dilatations = dilatation_->find(view);
+  Kokkos::deep_copy(forces, 0.0);
+  failure_.clear();
+  int failures = 0;
+  for (std::size_t k = 0; k < soil_->blocks.size(); ++k) {
+    const SoilBlock& b = soil_->blocks[k];
+    StressUpdate update(*soil_, b, view, StressUpdate::Tangent::none);
+    update.see_dilatation(dilatations[k]);
+    failures += run(update, b);
+    add_residual(soil_->geometry, b, update.level(), total_stress(*soil_, b, view), forces);
+  }
+  return failures;
 }
 
 std::string StressDivergence::hint(const StepView&) const { return broadcast(*soil_->space->dofs()->comm(), failure_); }

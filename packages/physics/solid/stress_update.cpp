@@ -5,6 +5,7 @@
 
 #include "discretisation/mesh_topology.hpp"
 #include "framework/element_loop.hpp"
+#include "physics/biot/water_dilatation.hpp"
 #include "physics/mixture.hpp"
 #include "physics/solid/point_surroundings.hpp"
 #include "physics/solid/step_motion.hpp"
@@ -14,10 +15,10 @@ namespace mudline {
 namespace {
 
 /// Writes deformation gradient and rotation of a step as columns of Surroundings. Where the step inverts the element,
-/// which is a failure, they are those of no motion.
+/// which is a failure, they are those of no motion. longer: share by which all lengths grow beyond the motion.
 template <class C, int S, class T>
 KOKKOS_INLINE_FUNCTION void write_motion(const PointFields<C, S, T>& at, const MidpointRule<C::dim>& motion, bool valid,
-                                         double* row) {
+                                         double longer, double* row) {
   constexpr int D = C::dim;
   double *deformation = row + Surroundings::deformation, *rotation = row + Surroundings::rotation;
   for (int i = 0; i < 9; ++i) deformation[i] = rotation[i] = i % 4 == 0 ? 1.0 : 0.0;
@@ -27,10 +28,11 @@ KOKKOS_INLINE_FUNCTION void write_motion(const PointFields<C, S, T>& at, const M
   const double det = determinant(back), hoop = 1 - at.hoop_moved;
   if (!valid || !(det > 0) || !(hoop > 0)) return;
   invert(back, det, F);
-  if constexpr (D == 2) deformation[8] = 1 / hoop;
+  const double stretch = 1 + longer;
+  if constexpr (D == 2) deformation[8] = stretch / hoop;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) {
-      deformation[3 * i + j] = F[i][j];
+      deformation[3 * i + j] = stretch * F[i][j];
       rotation[3 * i + j] = motion.rotation[i][j];
     }
 }
@@ -49,13 +51,17 @@ struct PointStaging {
     MidpointRule<C::dim> motion;
     const Mixture& mixture = mixtures(from);
     const bool valid = find_motion(at, motion);
+    const double swell = valid && to.dilatation.extent(0) > 0
+                             ? WaterDilatation::beyond(&to.dilatation(from, 0), motion.log_volume)
+                             : 0.0;
     motion.increment(&to.strain(i, 0));
+    for (int c = 0; c < 3; ++c) to.strain(i, c) += swell / 3;
     if constexpr (S > 0)
       if (mixture.temperature >= 0)  // thermal strain is not part of the strain of the law
         for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[mixture.temperature];
     if (!valid)
       for (int c = 0; c < 6; ++c) to.strain(i, c) = 0;
-    if (to.surroundings.extent(0) > 0) write_motion(at, motion, valid, &to.surroundings(i, 0));
+    if (to.surroundings.extent(0) > 0) write_motion(at, motion, valid, ::expm1(swell / 3), &to.surroundings(i, 0));
     motion.rotate(&stress(from, 0), &to.stress_old(i, 0));
     for (std::size_t c = 0; c < to.state_old.extent(1); ++c) to.state_old(i, c) = law(from, c);
     const int material = static_cast<int>(mixtures.which(from, 0));
@@ -63,7 +69,7 @@ struct PointStaging {
       motion.rotate(&law(from, to.tensors(material, t)), &to.state_old(i, to.tensors(material, t)));
     if (ratios.extent(0) > 0) motion.rotate(&ratios_old(from, 0), &ratios(from, 0));
     to.void_ratio_old(i, 0) = void_ratio_old(from, 0);
-    const double n = mixture.porosity(void_ratio_old(from, 0), at);
+    const double n = mixture.porosity(void_ratio_old(from, 0), at, 0, swell);
     void_ratio(from, 0) = n / (1 - n);
     void_ratio(from, 1) = void_ratio_old(from, 1);
     return valid;

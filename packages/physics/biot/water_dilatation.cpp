@@ -1,0 +1,133 @@
+#include "physics/biot/water_dilatation.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include "framework/element_loop.hpp"
+#include "physics/soil_points.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Moments by node, and volumes of the points by block.
+struct Moments {
+  std::vector<PointView> volume;  // (point, 0) [m3]
+  std::vector<double> lumped, swell,
+      flow;  // int N, int N times volume strain [m3], int E grad(N) . kappa grad(N) [m3/s]
+
+  explicit Moments(std::size_t nodes) : lumped(nodes), swell(nodes), flow(nodes) {}
+};
+
+/// middle: coordinates in the middle of the step, on which the divergence of the displacement is the volume strain to
+/// third order, and exactly that of the balance of the water in a step of the theta method.
+void add_moments(const Soil& soil, const SoilBlock& b, const StepView& view, const CoordinateView& middle,
+                 Moments& to) {
+  const SoilPoints points(soil, b, *view.committed);
+  const PointView volume("volume", b.elements * b.points, 1);
+  to.volume.push_back(volume);
+  with_element<1>(soil.geometry, b, [&](auto coordinates, auto shapes) {
+    using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
+    const Loop loop{b, loop_level(view, {0.5 * (view.time_old + view.time_end), middle, 0.5}, b)};
+    for (int e = 0; e < b.elements; ++e)
+      loop.template for_each_point<false, true>(
+          e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
+            const int row = e * b.points + q;
+            double swell = 2 * at.hoop_moved;  // the level has half of the motion
+            for (int i = 0; i < Loop::D; ++i) swell += 2 * at.moved[i][i];
+            const double conduction = points.constrained_modulus(row) * points.mobility(row);
+            volume(row, 0) = s.dv;
+            for (int c = 0; c < Loop::NS; ++c) {
+              const int node = b.nodes(e, c);
+              to.lumped[node] += s.dv * s.Np[c];
+              to.swell[node] += s.dv * s.Np[c] * swell;
+              to.flow[node] += s.dv * conduction * points.along_ratios(row, s.gp[c], s.gp[c], Loop::D);
+            }
+          });
+  });
+}
+
+double at_point(const SoilBlock& b, int e, int q, const std::vector<double>& nodal) {
+  double sum = 0;
+  for (int c = 0; c < b.p.nodes; ++c) sum += b.p.N(q, c) * nodal[b.nodes(e, c)];
+  return sum;
+}
+
+CoordinateView middle_of(const StepView& view) {
+  const CoordinateView x("middle of the step", view.x_old.extent(0), view.x_old.extent(1));
+  for (std::size_t node = 0; node < x.extent(0); ++node)
+    for (std::size_t i = 0; i < x.extent(1); ++i) x(node, i) = 0.5 * (view.x_old(node, i) + view.x_end(node, i));
+  return x;
+}
+
+}  // namespace
+
+double WaterDilatation::product(const Values& a, const Values& b) const {
+  const Mesh& mesh = soil_.space->mesh();
+  double here = 0, all = 0;
+  for (int i = 0; i < mesh.num_owned_nodes(); ++i) here += a[i] * b[i];
+  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(all));
+  return all;
+}
+
+WaterDilatation::Values WaterDilatation::project(const std::vector<PointView>& volume, const Values& lumped,
+                                                 const Values& load) const {
+  constexpr int most = 100;            // iterations; some 25 are needed
+  constexpr double tolerance = 1e-24;  // of the square of the residual
+  const std::size_t nodes = load.size();
+  Values found(nodes), residual = load, direction(nodes), image(nodes), scaled(nodes);
+  const auto scale = [&] {
+    for (std::size_t i = 0; i < nodes; ++i) scaled[i] = lumped[i] > 0 ? residual[i] / lumped[i] : 0.0;
+    return product(residual, scaled);
+  };
+  double square = scale();
+  const double enough = tolerance * square;
+  direction = scaled;
+  for (int k = 0; k < most && square > enough; ++k) {
+    image.assign(nodes, 0.0);
+    for (std::size_t n = 0; n < volume.size(); ++n) {
+      const SoilBlock& b = soil_.blocks[n];
+      for (int e = 0; e < b.elements; ++e)
+        for (int q = 0; q < b.points; ++q) {
+          const double part = volume[n](e * b.points + q, 0) * at_point(b, e, q, direction);
+          for (int c = 0; c < b.p.nodes; ++c) image[b.nodes(e, c)] += b.p.N(q, c) * part;
+        }
+    }
+    exchange_.sum_shared(image);
+    const double step = square / product(direction, image);
+    for (std::size_t i = 0; i < nodes; ++i) {
+      found[i] += step * direction[i];
+      residual[i] -= step * image[i];
+    }
+    const double before = square;
+    square = scale();
+    for (std::size_t i = 0; i < nodes; ++i) direction[i] = scaled[i] + square / before * direction[i];
+  }
+  return found;
+}
+
+std::vector<PointView> WaterDilatation::find(const StepView& view) const {
+  const CoordinateView middle = middle_of(view);
+  Moments m(middle.extent(0));
+  for (const SoilBlock& b : soil_.blocks) add_moments(soil_, b, view, middle, m);
+  for (Values* nodal : {&m.lumped, &m.swell, &m.flow}) exchange_.sum_shared(*nodal);
+  const auto pressure = soil_.space->node_dof(soil_.pressure);
+  Values undrained(m.lumped.size());
+  for (std::size_t i = 0; i < undrained.size(); ++i) {
+    if (!(m.lumped[i] > 0)) continue;
+    undrained[i] = m.lumped[i] / (m.lumped[i] + view.dt * m.flow[i]);
+    if (view.constrained(pressure(i))) m.swell[i] *= 1 - undrained[i];
+  }
+  const Values strain = project(m.volume, m.lumped, m.swell);
+  std::vector<PointView> result;
+  for (const SoilBlock& b : soil_.blocks) {
+    const PointView& to = result.emplace_back("dilatation", b.elements * b.points, 2);
+    for (int e = 0; e < b.elements && !b.dries; ++e)
+      for (int q = 0; q < b.points; ++q) {
+        to(e * b.points + q, 0) = at_point(b, e, q, strain);
+        to(e * b.points + q, 1) = at_point(b, e, q, undrained);
+      }
+  }
+  return result;
+}
+
+}  // namespace mudline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "framework/nodal_exchange.hpp"
+#include "physics/soil.hpp"
+
+namespace mudline {
+
+/// The volume strain of a step that the laws of saturated soil see.
+///
+/// The balance of the water is fulfilled for the shapes of the pore pressure only. In soil that cannot drain, the
+/// volume strain of the motion has no moment with any of them, but within the elements, and between neighbours, it
+/// deviates from zero by a share of the shear strain. And where a pore pressure is prescribed the balance is not asked
+/// for at all: the soil there gives off water that could not flow so fast. A law that hardens with its volume keeps
+/// both errors, and they add up beside rough walls.
+///
+/// So the volume strain is projected to the shapes of the pore pressure (least squares over all elements),
+/// with the load of each node of prescribed pore pressure times its drained share
+///     w = dt C / (dt C + V),  C = int E grad(N) . kappa grad(N) dv,  V = int N dv:
+/// what a node's part of the soil loses in a step of its own volume strain by flow, with E the drained constrained
+/// modulus and kappa the mobility. At a point the law sees s times the projection and 1 - s times the volume strain of
+/// the motion, s = sum N (1 - w): all of the projection in soil that cannot drain within the step, nothing of it in
+/// soil that drains at once.
+class WaterDilatation {
+ public:
+  explicit WaterDilatation(const Soil& soil) : soil_(soil), exchange_(soil.space->mesh()) {}
+
+  /// Of each block: (point, 2), projected volume strain of the step (ln J, swelling positive) and share s. A block that
+  /// dries has a share of zero. Collective.
+  std::vector<PointView> find(const StepView& view) const;
+  /// Volume strain that the law sees beyond that of the motion. row: of find().
+  KOKKOS_INLINE_FUNCTION static double beyond(const double* row, double of_motion) {
+    return row[1] * (row[0] - of_motion);
+  }
+
+ private:
+  using Values = std::vector<double>;  // by local node
+  /// Solves the equations of the projection by conjugate gradients. volume: of the points, by block [m3]; lumped:
+  /// volumes of the nodes [m3]; load: moments of the volume strain [m3].
+  Values project(const std::vector<PointView>& volume, const Values& lumped, const Values& load) const;
+  double product(const Values& a, const Values& b) const;
+
+  const Soil& soil_;
+  NodalExchange exchange_;
+};
+
+}  // namespace mudline
