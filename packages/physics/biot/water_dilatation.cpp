@@ -9,11 +9,11 @@ namespace mudline {
 
 namespace {
 
-/// Moments by node, and volumes of the points by block.
+/// Moments by node, and volumes and volume strains of the points by block.
 struct Moments {
-  std::vector<PointView> volume;  // (point, 0) [m3]
-  std::vector<double> lumped, swell,
-      flow;  // int N, int N times volume strain [m3], int E grad(N) . kappa grad(N) [m3/s]
+  std::vector<PointView> volume, strain;  // (point, 0) [m3], [-]
+  std::vector<double> lumped, swell;      // int N dv, int N times volume strain dv [m3]
+  std::vector<double> flow;               // int E grad(N) . kappa grad(N) dv [m3/s]
 
   explicit Moments(std::size_t nodes) : lumped(nodes), swell(nodes), flow(nodes) {}
 };
@@ -23,8 +23,9 @@ struct Moments {
 void add_moments(const Soil& soil, const SoilBlock& b, const StepView& view, const CoordinateView& middle,
                  Moments& to) {
   const SoilPoints points(soil, b, *view.committed);
-  const PointView volume("volume", b.elements * b.points, 1);
+  const PointView volume("volume", b.elements * b.points, 1), strain("volume strain", b.elements * b.points, 1);
   to.volume.push_back(volume);
+  to.strain.push_back(strain);
   with_element<1>(soil.geometry, b, [&](auto coordinates, auto shapes) {
     using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
     const Loop loop{b, loop_level(view, {0.5 * (view.time_old + view.time_end), middle, 0.5}, b)};
@@ -36,6 +37,7 @@ void add_moments(const Soil& soil, const SoilBlock& b, const StepView& view, con
             for (int i = 0; i < Loop::D; ++i) swell += 2 * at.moved[i][i];
             const double conduction = points.constrained_modulus(row) * points.mobility(row);
             volume(row, 0) = s.dv;
+            strain(row, 0) = swell;
             for (int c = 0; c < Loop::NS; ++c) {
               const int node = b.nodes(e, c);
               to.lumped[node] += s.dv * s.Np[c];
@@ -120,11 +122,12 @@ std::vector<PointView> WaterDilatation::find(const StepView& view) const {
   const Values strain = project(m.volume, m.lumped, m.swell);
   std::vector<PointView> result;
   for (const SoilBlock& b : soil_.blocks) {
-    const PointView& to = result.emplace_back("dilatation", b.elements * b.points, 2);
+    const std::size_t k = result.size();
+    const PointView& to = result.emplace_back("beyond the motion", b.elements * b.points, 1);
     for (int e = 0; e < b.elements && !b.dries; ++e)
       for (int q = 0; q < b.points; ++q) {
-        to(e * b.points + q, 0) = at_point(b, e, q, strain);
-        to(e * b.points + q, 1) = at_point(b, e, q, undrained);
+        const int row = e * b.points + q;
+        to(row, 0) = at_point(b, e, q, undrained) * (at_point(b, e, q, strain) - m.strain[k](row, 0));
       }
   }
   return result;

@@ -26,13 +26,9 @@ class WaterDilatation {
  public:
   explicit WaterDilatation(const Soil& soil) : soil_(soil), exchange_(soil.space->mesh()) {}
 
-  /// Of each block: (point, 2), projected volume strain of the step (ln J, swelling positive) and share s. A block that
-  /// dries has a share of zero. Collective.
+  /// The volume strain that the law of each point sees beyond that of the motion (ln J, swelling positive), by block:
+  /// (point, 0). It is zero in blocks that dry. Collective.
   std::vector<PointView> find(const StepView& view) const;
-  /// Volume strain that the law sees beyond that of the motion. row: of find().
-  KOKKOS_INLINE_FUNCTION static double beyond(const double* row, double of_motion) {
-    return row[1] * (row[0] - of_motion);
-  }
 
  private:
   using Values = std::vector<double>;  // by local node

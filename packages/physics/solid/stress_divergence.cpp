@@ -191,7 +191,7 @@ int StressDivergence::complete(const StepView& view, const NodalView& forces) {
   for (std::size_t k = 0; k < soil_->blocks.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
     StressUpdate update(*soil_, b, view, StressUpdate::Tangent::none);
-    update.see_dilatation(dilatations[k]);
+    update.add_dilatation(dilatations[k]);
     failures += run(update, b);
     add_residual(soil_->geometry, b, update.level(), total_stress(*soil_, b, view), forces);
   }

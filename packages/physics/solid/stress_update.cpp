@@ -5,7 +5,6 @@
 
 #include "discretisation/mesh_topology.hpp"
 #include "framework/element_loop.hpp"
-#include "physics/biot/water_dilatation.hpp"
 #include "physics/mixture.hpp"
 #include "physics/solid/point_surroundings.hpp"
 #include "physics/solid/step_motion.hpp"
@@ -51,9 +50,7 @@ struct PointStaging {
     MidpointRule<C::dim> motion;
     const Mixture& mixture = mixtures(from);
     const bool valid = find_motion(at, motion);
-    const double swell = valid && to.dilatation.extent(0) > 0
-                             ? WaterDilatation::beyond(&to.dilatation(from, 0), motion.log_volume)
-                             : 0.0;
+    const double swell = valid && to.dilatation.extent(0) > 0 ? to.dilatation(from, 0) : 0.0;
     motion.increment(&to.strain(i, 0));
     for (int c = 0; c < 3; ++c) to.strain(i, c) += swell / 3;
     if constexpr (S > 0)

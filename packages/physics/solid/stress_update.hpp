@@ -13,7 +13,7 @@ struct LawInput {
   PointView strain, stress_old, void_ratio_old, state_old;  // tensors rotated with the material
   Kokkos::View<int**> tensors;  // first columns of the tensor variables of each material's law; -1: no more
   PointView surroundings;       // if a law asks for them, else empty
-  PointView dilatation;         // see WaterDilatation, of all points of the block; empty: that of the motion
+  PointView dilatation;         // volume strain of all points of the block beyond that of the motion; empty: none
 };
 
 /// Runs the laws over batches of elements: computes strains from the motion and writes stress, state and void ratio of
@@ -27,8 +27,8 @@ class StressUpdate {
   /// Runs elements [first, last); returns the number of failed points (failure of the law, or an inverted
   /// configuration).
   int run(int first, int last);
-  /// The laws and the void ratio see this volume strain (WaterDilatation, by point of the block).
-  void see_dilatation(const PointView& dilatation) { input_.dilatation = dilatation; }
+  /// The laws and the void ratio see this volume strain beyond that of the motion: (point of the block, 0).
+  void add_dilatation(const PointView& beyond) { input_.dilatation = beyond; }
   /// d stress / d strain of the last batch: (point of the batch, 36); empty unless that is wanted.
   const PointView& tangent() const { return tangent_; }
   const LoopLevel& level() const { return level_; }
