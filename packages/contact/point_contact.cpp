@@ -408,11 +408,11 @@ Augmentation PointContact::augment(const StepView& view, int count) {
   return {true, ""};
 }
 
-bool PointContact::covered(std::size_t side, const State& committed) const {
+bool PointContact::covered(std::size_t side, const State& committed, double gap) const {
   // The criterion is the distance: with the pressure alone single points along a stretched side would lift off by
   // micrometres, and a vertex that is drained for a step loses its pore pressure.
   const SurfaceSide& at = sides()[side];
-  const double near = parts_.drainage.sealing_gap() * edges(at, committed.coordinates).second;
+  const double near = gap * edges(at, committed.coordinates).second;
   const Bounds around = box(side, committed.coordinates);
   if (target_->near(around, near).empty()) return false;
   const SideCoordinates x = side_coordinates(at, committed.coordinates);
@@ -435,17 +435,26 @@ bool PointContact::covered(std::size_t side, const State& committed) const {
 std::vector<char> PointContact::covered_sides(const State& committed) const {
   target_->look_at(committed);
   std::vector<char> flags;
-  for (std::size_t s = 0; s < sides().size(); ++s) flags.push_back(covered(s, committed));
+  for (std::size_t s = 0; s < sides().size(); ++s)
+    flags.push_back(covered(s, committed, parts_.drainage.sealing_gap()));
   return flags;
 }
 
-void PointContact::close(const State& committed, ClosedSides& closed) const {
+bool PointContact::drains(std::size_t side, const State& committed, double dt) const {
+  const SurfaceSide& at = sides()[side];
+  const double h = edges(at, committed.coordinates).second;
+  return 6 * context_.consolidation(at.block, at.element) * dt >= h * h;
+}
+
+void PointContact::close(const State& committed, double dt, ClosedSides& closed) const {
   if (!parts_.drainage.closes() || laws_.pressure() < 0) return;
   closed.possible = true;
   const std::vector<Side>& set = surface_->mesh().side_sets().at(set_);
   const std::vector<char> flags = covered_sides(committed);
+  const double rim = context_.consolidation ? parts_.drainage.sealing_rim() : 0;
   for (std::size_t s = 0; s < set.size(); ++s)
-    if (flags[s]) closed.sides.insert({set[s].block, set[s].element, set[s].side});
+    if (flags[s] || (rim > 0 && covered(s, committed, rim) && !drains(s, committed, dt)))
+      closed.sides.insert({set[s].block, set[s].element, set[s].side});
 }
 
 void PointContact::first_act(State& committed) {

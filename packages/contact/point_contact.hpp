@@ -62,7 +62,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
-  void close(const State& committed, ClosedSides& closed) const override;
+  void close(const State& committed, double dt, ClosedSides& closed) const override;
   void first_act(State& committed) override;
   Augmentation augment(const StepView& view, int count) override;
   std::vector<double> nodal_pressure(const State& state) const override;
@@ -182,7 +182,10 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
                        const Point& normal) const;
   /// Penetration [m] at which a point has this pressure [Pa].
   double in_situ_penetration(std::size_t side, int point, const State& committed, double pressure) const;
-  bool covered(std::size_t side, const State& committed) const;
+  /// Whether more than half of a side's points are nearer to the target than this gap, in sides.
+  bool covered(std::size_t side, const State& committed, double gap) const;
+  /// Whether the soil at a side drains in a step of dt [s], as far as the mesh resolves it (Vermeer & Verruijt 1981).
+  bool drains(std::size_t side, const State& committed, double dt) const;
   std::vector<char> covered_sides(const State& committed) const;  // (side)
 };
 

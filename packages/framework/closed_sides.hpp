@@ -18,8 +18,8 @@ struct ClosedSides {
 class ClosesSides {
  public:
   virtual ~ClosesSides() = default;
-  /// Adds the sides that are closed in the step from the committed state.
-  virtual void close(const State& committed, ClosedSides& closed) const = 0;
+  /// Adds the sides that are closed in a step of `dt` [s] from the committed state.
+  virtual void close(const State& committed, double dt, ClosedSides& closed) const = 0;
 };
 
 /// A condition that applies on open sides only.

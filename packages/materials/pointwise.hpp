@@ -39,6 +39,7 @@ struct SkeletonResponse {
 /// It may have these too:
 ///     void check(const Section&);                          rules across parameters; changes no member
 ///     static constexpr bool volume_apart = true;           see Skeleton
+///     static constexpr bool hardens_with_volume = true;    see Skeleton
 ///     void prepare();                                      computes constants from the parameters
 ///     void reduce_strength(double factor);                 divides strengths, before prepare(): Strengths::reducible
 ///     static constexpr bool no_strength = true;            Strengths::none
@@ -114,6 +115,7 @@ class PointwiseSkeleton : public Skeleton {
     else
       return Skeleton::volume_apart();
   }
+  bool hardens_with_volume() const override { return detail_hardens_with_volume<Law>::value; }
   Strengths strengths() const override {
     if constexpr (detail_has_reduce_strength<Law>::value)
       return Strengths::reducible;
@@ -278,6 +280,10 @@ class PointwiseSkeleton : public Skeleton {
   struct detail_has_volume_apart : std::false_type {};
   template <class T>
   struct detail_has_volume_apart<T, std::void_t<decltype(T::volume_apart)>> : std::true_type {};
+  template <class T, class = void>
+  struct detail_hardens_with_volume : std::false_type {};
+  template <class T>
+  struct detail_hardens_with_volume<T, std::enable_if_t<T::hardens_with_volume>> : std::true_type {};
   template <class T, class = void>
   struct detail_has_reduce_strength : std::false_type {};
   template <class T>

@@ -128,6 +128,8 @@ class Skeleton {
   /// Whether volume and shear are apart: the mean stress follows the volume strain alone, does not act on stiffness and
   /// strength in shear, and yielding does not change the volume.
   virtual bool volume_apart() const { return false; }
+  /// Whether its volume strain hardens the soil for good, so that an error of it stays in strength and stress.
+  virtual bool hardens_with_volume() const { return false; }
   virtual Strengths strengths() const { return Strengths::unknown; }
   /// Whether the law reads SkeletonWorkset::surroundings, which cost time to fill.
   virtual bool wants_surroundings() const { return false; }

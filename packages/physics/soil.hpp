@@ -76,9 +76,10 @@ struct SoilBlock : FieldBlock {
   PointView start;           // index of the material of each point at the start
   int origin = -1;  // state handle: (material index, position of the soil at the start); -1: no region has layers
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
-  int permeability = -1;  // state handle: tensor of PermeabilityRatios, turned with the soil; -1: all of ones
-  int conductivity = -1;  // state handle: Permeability::numbers_at; -1: no number of its materials varies
-  bool dries = false;     // some of its materials has a retention
+  int permeability = -1;    // state handle: tensor of PermeabilityRatios, turned with the soil; -1: all of ones
+  int conductivity = -1;    // state handle: Permeability::numbers_at; -1: no number of its materials varies
+  bool dries = false;       // some of its materials has a retention
+  bool sees_water = false;  // its laws see the volume strain of the water, see WaterDilatation
   bool porous() const { return scalars > 0; }
   FieldBlock mass;  // the same elements with enough points for a mass matrix of full rank
 };
@@ -94,8 +95,7 @@ struct Soil {
       grain_expansion;  // by material number [1/K]: volumetric, of grains and drained skeleton; empty: 0
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
   bool viscosity_follows = false;                         // the viscosity of the water depends on the temperature
-  bool water_dilatation = false;  // the laws of saturated soil see the volume strain of the water (WaterDilatation)
-  bool excess = false;            // pore pressures are in excess of water at rest, weights are submerged weights
+  bool excess = false;  // pore pressures are in excess of water at rest, weights are submerged weights
   /// Unit vector against gravity, along which heights are counted; without gravity the mesh's last direction.
   Point up{};
   /// Height of the whole mesh at the start [m].
@@ -156,6 +156,9 @@ struct Soil {
 /// soil keeps its volume. It is for laws with Skeleton::volume_apart, and for all cells but tri3 and tet4. Automatic:
 /// fitted in quad4, hex8 and wedge6 with such a law.
 enum class VolumeStrain { automatic, fitted, at_points };
+/// The volume strain that the laws of saturated soil see: that of the water (WaterDilatation), or that of each point.
+/// Automatic: that of the water for laws that harden with their volume.
+enum class SaturatedStrain { automatic, water_balance, at_points };
 
 /// Pairs every element block with the materials that name its region. `scalars`: the fields beside the displacement:
 /// none, the pore pressure, or pore pressure and temperature. InputError when no material names a region, when several

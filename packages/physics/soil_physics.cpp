@@ -1,5 +1,7 @@
 #include "physics/soil_physics.hpp"
 
+#include <algorithm>
+
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "physics/biot/block_data.hpp"
@@ -18,7 +20,7 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   context.shared.offer(soil_);
   if (volume_strain_ == VolumeStrain::fitted) require_fit(section);
   soil_->excess = excess_;
-  soil_->water_dilatation = water_dilatation_;
+  for (SoilBlock& b : soil_->blocks) b.sees_water = porous() && sees_water(b);
   soil_->gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   soil_->up = gravity_.up(context.space.mesh().dimension());
   soil_->place_materials(context.materials_section);
@@ -39,6 +41,13 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
 void SoilPhysics::initialise(StateStore& store, const Section& section) {
   initial_.apply(*soil_, store, gravity_, section.section("initial state"));
   if (!porous()) warn_of_locking(store.committed());
+}
+
+bool SoilPhysics::sees_water(const SoilBlock& block) const {
+  const auto hardens = [this](int k) { return soil_->materials[k]->skeleton->hardens_with_volume(); };
+  if (block.dries || saturated_strain_ == SaturatedStrain::at_points) return false;
+  return saturated_strain_ == SaturatedStrain::water_balance ||
+         std::any_of(block.made_of.begin(), block.made_of.end(), hardens);
 }
 
 void SoilPhysics::require_fit(const Section& section) const {
@@ -78,13 +87,15 @@ void SoilPhysics::pore_water_parameters(Parameters& p) {
            "excess: counted from water at rest, whose weight then acts nowhere; total stresses, loads and contact "
            "pressures are in excess of the water's too");
   excess_ = counted == Counted::excess;
-  enum class Strain { water_balance, at_points };
-  Strain strain = Strain::water_balance;
-  p.choice("volume strain", strain, {{"water balance", Strain::water_balance}, {"at points", Strain::at_points}},
-           "the volume strain that the laws see. water balance: where the soil cannot drain within a step, that which "
-           "the balance of the water resolves; at points: that of each point's motion, which is wrong beside rough "
-           "walls");
-  water_dilatation_ = strain == Strain::water_balance;
+  p.choice(
+      "volume strain", saturated_strain_,
+      {{"automatic", SaturatedStrain::automatic},
+       {"water balance", SaturatedStrain::water_balance},
+       {"at points", SaturatedStrain::at_points}},
+      "the volume strain that the laws see at the end of a step. water balance: where the soil cannot drain within "
+      "the step, that which the balance of the water resolves; at points: that of each point's motion, which "
+      "gathers errors beside rough walls; automatic: water balance for laws that harden with their volume "
+      "(modified cam clay, s-clay1s, hypoplasticity)");
 }
 
 void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& section, const std::string& otherwise) {

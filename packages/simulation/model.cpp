@@ -204,12 +204,25 @@ BlockData Model::block_data(const StepView& view) const {
   return data;
 }
 
-double Model::constrained_modulus(int block, int element) const {
+template <class Number>
+double Model::mean_over_points(int block, int element, const Number& number) const {
   const SoilBlock& b = soil_->blocks[block];
   const SoilPoints points(*soil_, b, store_->committed());
   double sum = 0;
-  for (int q = 0; q < b.points; ++q) sum += points.constrained_modulus(element * b.points + q) / b.points;
+  for (int q = 0; q < b.points; ++q) sum += number(points, element * b.points + q) / b.points;
   return sum;
+}
+
+double Model::constrained_modulus(int block, int element) const {
+  return mean_over_points(block, element,
+                          [](const SoilPoints& points, int row) { return points.constrained_modulus(row); });
+}
+
+double Model::consolidation(int block, int element) const {
+  if (!soil_->blocks[block].porous()) return 0;
+  return mean_over_points(block, element, [](const SoilPoints& points, int row) {
+    return points.constrained_modulus(row) * points.mobility(row);
+  });
 }
 
 void Model::read_contacts(const Section& deck, const Registries& registries) {
@@ -228,6 +241,7 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
                                  [this](const State& state, int block, int element, const Point& at) {
                                    return undrained_strength(*soil_, state, block, element, at);
                                  },
+                                 [this](int block, int element) { return consolidation(block, element); },
                                  remeshed_ != nullptr};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
     if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);
@@ -409,7 +423,7 @@ void Model::prescribe(const Stage& stage, double t_old, double t_end, const Stat
   // without flow the pore pressure is prescribed everywhere, and closed sides release nothing
   if (stage.type != Stage::Type::geostatic)
     for (const auto& [name, contact] : sealing_)
-      if (named(stage.contacts, name)) contact->close(committed, closed);
+      if (named(stage.contacts, name)) contact->close(committed, t_end - t_old, closed);
   for (HoldsOnOpenSides* condition : on_open_sides_) condition->set_closed(closed);
   for (const auto& condition : conditions_) {
     if (!named(stage.conditions, condition->name)) continue;

@@ -16,6 +16,10 @@ void Drainage::parameters(Parameters& p) {
         "Leaky: water pressure beyond what it touches, a function of time and place");
   p.add("sealing gap", sealing_gap_, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the side is still sealed");
+  p.add(
+      "sealing rim", sealing_rim_, "-", non_negative(),
+      "Sealed: gap, in sides, up to which the surface beside the body is sealed too, in steps in which its soil cannot "
+      "drain: shorter than h^2/(6 c_v), with the side's length h");
 }
 
 void Drainage::check(const Section& section, bool pore_pressure) const {
@@ -24,6 +28,8 @@ void Drainage::check(const Section& section, bool pore_pressure) const {
     WaterFilm::refuse(section);
   else if (!pore_pressure)
     section.fail(std::string("film") + needs_field, "drainage");
+  if (kind_ != Kind::sealed && section.has_parameter("sealing rim"))
+    section.fail("has a meaning only with 'drainage' = sealed", "sealing rim");
   if (leaks()) {
     if (!(conductance_ > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
     if (!pore_pressure) section.fail(std::string("leaky") + needs_field, "drainage");

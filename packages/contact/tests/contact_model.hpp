@@ -208,7 +208,7 @@ inline std::vector<double> released(ContactModel& model, const std::string& set)
   const int p = model.space.find("pore pressure"), n = model.space.dofs()->num_overlap_dofs();
   Constraints constraints(n);
   ClosedSides closed;
-  dynamic_cast<const ClosesSides&>(*model.contact).close(model.store.committed(), closed);
+  dynamic_cast<const ClosesSides&>(*model.contact).close(model.store.committed(), 1, closed);
   dynamic_cast<HoldsOnOpenSides&>(*drained).set_closed(closed);
   drained->prescribe(0, 1, model.store.committed(), constraints);
   std::vector<double> result;

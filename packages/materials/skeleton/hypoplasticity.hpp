@@ -31,6 +31,7 @@ namespace mudline {
 ///
 /// Integration: embedded_steps.hpp over the strain increment, with control of the error. Code: tension positive, [Pa].
 struct Hypoplasticity {
+  static constexpr bool hardens_with_volume = true;
   enum { intergranular_strain, state_size = 6 };
 
   double friction = 30.0;                                 // [deg] phi, critical

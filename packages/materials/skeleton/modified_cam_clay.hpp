@@ -26,7 +26,7 @@ namespace mudline {
 /// The mean effective stress does not fall below `minimum_mean_stress` (a tension cut-off): there p' is set to it, pc
 /// and q are adjusted to the yield surface, and the tangent is the elastic one.
 struct ModifiedCamClay {
-  static constexpr bool small_strain = true;
+  static constexpr bool hardens_with_volume = true, small_strain = true;
   enum class Lode { none, sheng };
   enum class Volume { current, initial };
   enum { preconsolidation, plastic_shear_strain, initial_specific_volume, state_size };

@@ -33,7 +33,7 @@ struct SClay1sModel;
 /// strain at a constant rate over the increment. An increment without time (dt = 0) has no creep. Code: tension
 /// positive, [Pa]; the fabric is stored like a stress over p', so that it lies along the stress that formed it.
 struct SClay1s {
-  static constexpr bool small_strain = true;
+  static constexpr bool hardens_with_volume = true, small_strain = true;
   enum class Axis { stress, x, y, z };
   enum { preconsolidation, plastic_shear_strain, initial_specific_volume, bonding, fabric, state_size = fabric + 6 };
   /// Hardening variables of the integration: pi, plastic shear strain, chi, then the fabric.

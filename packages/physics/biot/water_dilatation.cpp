@@ -112,19 +112,15 @@ std::vector<PointView> WaterDilatation::find(const StepView& view) const {
   Moments m(middle.extent(0));
   for (const SoilBlock& b : soil_.blocks) add_moments(soil_, b, view, middle, m);
   for (Values* nodal : {&m.lumped, &m.swell, &m.flow}) exchange_.sum_shared(*nodal);
-  const auto pressure = soil_.space->node_dof(soil_.pressure);
   Values undrained(m.lumped.size());
-  for (std::size_t i = 0; i < undrained.size(); ++i) {
-    if (!(m.lumped[i] > 0)) continue;
-    undrained[i] = m.lumped[i] / (m.lumped[i] + view.dt * m.flow[i]);
-    if (view.constrained(pressure(i))) m.swell[i] *= 1 - undrained[i];
-  }
+  for (std::size_t i = 0; i < undrained.size(); ++i)
+    if (m.lumped[i] > 0) undrained[i] = m.lumped[i] / (m.lumped[i] + view.dt * m.flow[i]);
   const Values strain = project(m.volume, m.lumped, m.swell);
   std::vector<PointView> result;
   for (const SoilBlock& b : soil_.blocks) {
     const std::size_t k = result.size();
     const PointView& to = result.emplace_back("beyond the motion", b.elements * b.points, 1);
-    for (int e = 0; e < b.elements && !b.dries; ++e)
+    for (int e = 0; e < b.elements && b.sees_water; ++e)
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
         to(row, 0) = at_point(b, e, q, undrained) * (at_point(b, e, q, strain) - m.strain[k](row, 0));

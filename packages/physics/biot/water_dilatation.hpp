@@ -11,23 +11,23 @@ namespace mudline {
 ///
 /// The balance of the water is fulfilled for the shapes of the pore pressure only. In soil that cannot drain, the
 /// volume strain of the motion has no moment with any of them, but within the elements, and between neighbours, it
-/// deviates from zero by a share of the shear strain. And where a pore pressure is prescribed the balance is not asked
-/// for at all: the soil there gives off water that could not flow so fast. A law that hardens with its volume keeps
-/// both errors, and they add up beside rough walls.
+/// deviates from zero by a share of the shear strain. A law that hardens with its volume keeps the error, and it grows
+/// beside rough walls.
 ///
-/// So the volume strain is projected to the shapes of the pore pressure (least squares over all elements),
-/// with the load of each node of prescribed pore pressure times its drained share
-///     w = dt C / (dt C + V),  C = int E grad(N) . kappa grad(N) dv,  V = int N dv:
-/// what a node's part of the soil loses in a step of its own volume strain by flow, with E the drained constrained
-/// modulus and kappa the mobility. At a point the law sees s times the projection and 1 - s times the volume strain of
-/// the motion, s = sum N (1 - w): all of the projection in soil that cannot drain within the step, nothing of it in
-/// soil that drains at once.
+/// So the volume strain is projected to the shapes of the pore pressure, by least squares over all elements. Of the
+/// difference between the projection and the strain of the motion the law sees the share s at its point: s = sum N (1 -
+/// w), with the drained share of each node
+///     w = dt C / (dt C + V),  C = int E grad(N) . kappa grad(N) dv,  V = int N dv,
+/// E the drained constrained modulus and kappa the mobility: what a node's part of the soil loses in a step of its own
+/// pressure by flow. So soil that cannot drain within a step keeps its volume as the water does, and soil that drains
+/// at once sees its own motion. The difference has no moment with s, so that the total volume stays that of the motion.
 class WaterDilatation {
  public:
   explicit WaterDilatation(const Soil& soil) : soil_(soil), exchange_(soil.space->mesh()) {}
 
   /// The volume strain that the law of each point sees beyond that of the motion (ln J, swelling positive), by block:
-  /// (point, 0). It is zero in blocks that dry. Collective.
+  /// (point, 0). It is zero in blocks
+  /// that do not ask for it (SoilBlock::sees_water). Collective.
   std::vector<PointView> find(const StepView& view) const;
 
  private:

@@ -182,7 +182,8 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
 }
 
 int StressDivergence::complete(const StepView& view, const NodalView& forces) {
-  if (!soil_->water_dilatation || !view.flow) return 0;
+  const auto sees = [](const SoilBlock& b) { return b.sees_water; };
+  if (!view.flow || std::none_of(soil_->blocks.begin(), soil_->blocks.end(), sees)) return 0;
   if (!dilatation_) dilatation_ = std::make_unique<WaterDilatation>(*soil_);
   const std::vector<PointView> dilatations = dilatation_->find(view);
   Kokkos::deep_copy(forces, 0.0);
