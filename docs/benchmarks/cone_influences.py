@@ -176,18 +176,29 @@ def theory(settings):
     return shear / strength, found
 
 
+def critical_stress():
+    """p' [Pa] of the base row's clay at its critical state, at the void ratio of its start."""
+    p, q = VERTICAL * (1 + 2 * REST) / 3, VERTICAL * (1 - REST)
+    size = p + (q / M) ** 2 / p
+    return 0.5 * size * (2 * p / size) ** (KAPPA / LAMBDA)
+
+
+def along_face(folder, name):
+    """Void ratio and mean effective stress [Pa] of the elements that touch the face, 5 to 25 mm above the tip."""
+    fields = Fields(folder_of(folder, name) / "cone.h5")
+    step = len(fields.steps) - 1
+    cells = fields.mesh(step)["topology"][:].reshape(-1, 7)[:, 1:4].astype(int)
+    found, points = fields.fields(step), fields.coordinates(step)
+    height = points[cells, 1].mean(1) + 0.02 * fields.times[step]
+    touching = (found["contact pressure cone"].values > 0)[cells].any(1)
+    return (found[field].values[touching & (height > 0.005) & (height < 0.025)]
+            for field in ("void ratio", "mean effective stress"))
+
+
 def print_face(folder):
-    """Means and extremes over the elements that touch the face, 5 to 25 mm above the tip."""
     print("| sealed | void ratio: mean, least, largest | p' [kPa]: mean, largest |")
     for name in (name for name in ROWS if name.startswith("sealed") and folder_of(folder, name).exists()):
-        fields = Fields(folder_of(folder, name) / "cone.h5")
-        step = len(fields.steps) - 1
-        cells = fields.mesh(step)["topology"][:].reshape(-1, 7)[:, 1:4].astype(int)
-        found, points = fields.fields(step), fields.coordinates(step)
-        height = points[cells, 1].mean(1) + 0.02 * fields.times[step]
-        touching = (found["contact pressure cone"].values > 0)[cells].any(1)
-        e, p = (found[field].values[touching & (height > 0.005) & (height < 0.025)]
-                for field in ("void ratio", "mean effective stress"))
+        e, p = along_face(folder, name)
         p = p / 1e3
         print(f"| {name} | {e.mean():.4f}, {e.min():.4f}, {e.max():.4f} | {p.mean():.1f}, {p.max():.1f} |")
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Tpetra_Core.hpp>
+#include <limits>
 
 #include <algorithm>
 #include <cmath>
@@ -103,10 +104,10 @@ struct ContactModel {
       store.declare(ArrayInfo::at_points("soil/effective stress", {{"effective stress", 6, "Pa"}}, mesh, 0, 2));
     std::function<double(const State&, int, int, const Point&)> strength;
     if (warm) strength = [](const State&, int, int, const Point& at) { return 2000 + 500 * at[0]; };
-    contact = registry.create(
-        deck.deck.root().section("contacts").section("c"),
-        {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
-         [stress](const State&, int, int, const Point& at) { return stress(at); }, std::move(strength)});
+    contact = registry.create(deck.deck.root().section("contacts").section("c"),
+                              {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
+                               [stress](const State&, int, int, const Point& at) { return stress(at); },
+                               std::move(strength), [this](int, int) { return consolidation; }});
     bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);
@@ -190,6 +191,7 @@ struct ContactModel {
   std::unique_ptr<Contact> contact;
   StepView view{};
   int failures = 0;
+  double consolidation = std::numeric_limits<double>::infinity();  // [m2/s] of all soil: it drains at once
 };
 
 /// Positions x, ascending, of the vertices on `set` whose pore pressure a drained condition on it leaves free in the
