@@ -32,6 +32,8 @@ void PointContact::make_points(const std::string& surface, SideRule::At kind, in
   set_ = surface;
   if (parts_.drainage.has_film()) laws_.ask_for_pore_pressure();
   surface_ = std::make_unique<ContactSurface>(context_.space.mesh(), surface);
+  if (parts_.drainage.sealing_rim() > 0 && context_.consolidation && laws_.pressure() >= 0)
+    exchange_ = std::make_unique<NodalExchange>(surface_->mesh());
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
@@ -408,11 +410,11 @@ Augmentation PointContact::augment(const StepView& view, int count) {
   return {true, ""};
 }
 
-bool PointContact::covered(std::size_t side, const State& committed, double gap) const {
+bool PointContact::covered(std::size_t side, const State& committed) const {
   // The criterion is the distance: with the pressure alone single points along a stretched side would lift off by
   // micrometres, and a vertex that is drained for a step loses its pore pressure.
   const SurfaceSide& at = sides()[side];
-  const double near = gap * edges(at, committed.coordinates).second;
+  const double near = parts_.drainage.sealing_gap() * edges(at, committed.coordinates).second;
   const Bounds around = box(side, committed.coordinates);
   if (target_->near(around, near).empty()) return false;
   const SideCoordinates x = side_coordinates(at, committed.coordinates);
@@ -435,8 +437,21 @@ bool PointContact::covered(std::size_t side, const State& committed, double gap)
 std::vector<char> PointContact::covered_sides(const State& committed) const {
   target_->look_at(committed);
   std::vector<char> flags;
-  for (std::size_t s = 0; s < sides().size(); ++s)
-    flags.push_back(covered(s, committed, parts_.drainage.sealing_gap()));
+  for (std::size_t s = 0; s < sides().size(); ++s) flags.push_back(covered(s, committed));
+  return flags;
+}
+
+std::vector<char> PointContact::with_rim(std::vector<char> flags) const {
+  if (!exchange_) return flags;
+  std::vector<double> marked(surface_->mesh().num_nodes());
+  for (int ring = 0; ring < parts_.drainage.sealing_rim(); ++ring) {
+    for (std::size_t s = 0; s < flags.size(); ++s)
+      for (int a = 0; a < sides()[s].count && flags[s]; ++a) marked[sides()[s].node[a]] = 1;
+    exchange_->sum_shared(marked);
+    for (std::size_t s = 0; s < flags.size(); ++s)
+      for (int a = 0; a < sides()[s].count; ++a)
+        if (marked[sides()[s].node[a]] > 0) flags[s] = 1;
+  }
   return flags;
 }
 
@@ -450,10 +465,9 @@ void PointContact::close(const State& committed, double dt, ClosedSides& closed)
   if (!parts_.drainage.closes() || laws_.pressure() < 0) return;
   closed.possible = true;
   const std::vector<Side>& set = surface_->mesh().side_sets().at(set_);
-  const std::vector<char> flags = covered_sides(committed);
-  const double rim = context_.consolidation ? parts_.drainage.sealing_rim() : 0;
+  const std::vector<char> flags = covered_sides(committed), rim = with_rim(flags);
   for (std::size_t s = 0; s < set.size(); ++s)
-    if (flags[s] || (rim > 0 && covered(s, committed, rim) && !drains(s, committed, dt)))
+    if (flags[s] || (rim[s] && !drains(s, committed, dt)))
       closed.sides.insert({set[s].block, set[s].element, set[s].side});
 }
 

@@ -17,9 +17,9 @@ void Drainage::parameters(Parameters& p) {
   p.add("sealing gap", sealing_gap_, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the side is still sealed");
   p.add(
-      "sealing rim", sealing_rim_, "-", non_negative(),
-      "Sealed: gap, in sides, up to which the surface beside the body is sealed too, in steps in which its soil cannot "
-      "drain: shorter than h^2/(6 c_v), with the side's length h");
+      "sealing rim", sealing_rim_, "-", closed(0, 100),
+      "Sealed: number of sides beside a sealed one that are sealed with it, in steps in which their soil cannot drain: "
+      "shorter than h^2/(6 c_v), with the side's length h");
 }
 
 void Drainage::check(const Section& section, bool pore_pressure) const {

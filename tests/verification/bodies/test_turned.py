@@ -125,9 +125,9 @@ class Widths(BodyCase):
         deck["plausibility"] = {f"penetration of {what}": [0.0, 1e9] for what in ("way", "side")}
         done = program(["run", self.write("pressed.xml", deck_text("pressed", deck))], folder=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        told = re.search(r"its penetration, (\S+) m at t .* over the body's half width is (\S+)[,;]", done.stderr)
+        told = re.search(r"its penetration, (\S+) (m|mm) at t .* over the body's half width is (\S+)[,;]", done.stderr)
         self.assertIsNotNone(told, done.stderr)
-        return float(told[1]), float(told[2])
+        return float(told[1]) * {"m": 1, "mm": 1e-3}[told[2]], float(told[3])
 
     def test_lying_tilted_and_standing(self):
         beam = {"type": "box", "length x": 1.2, "length y": 0.2, "length z": 0.2, "fillet radius": 0.02}
