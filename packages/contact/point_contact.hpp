@@ -187,7 +187,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   bool covered(std::size_t side, const State& committed) const;
   /// The sides that are flagged, and their rim. Collective.
   std::vector<char> with_rim(std::vector<char> flags) const;
-  /// Whether the soil at a side drains in a step of dt [s], as far as the mesh resolves it (Vermeer & Verruijt 1981).
+  /// Whether the soil at a side drains in a step of dt [s], as far as the mesh resolves it.
   bool drains(std::size_t side, const State& committed, double dt) const;
   std::vector<char> covered_sides(const State& committed) const;  // (side)
 };
