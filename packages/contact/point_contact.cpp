@@ -33,7 +33,7 @@ void PointContact::make_points(const std::string& surface, SideRule::At kind, in
   if (parts_.drainage.has_film()) laws_.ask_for_pore_pressure();
   surface_ = std::make_unique<ContactSurface>(context_.space.mesh(), surface);
   if (parts_.drainage.sealing_rim() > 0 && context_.consolidation && laws_.pressure() >= 0)
-    exchange_ = std::make_unique<NodalExchange>(surface_->mesh());
+    rim_ = std::make_unique<SealingRim>(*surface_, parts_.drainage.sealing_rim(), context_.consolidation);
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
@@ -441,34 +441,14 @@ std::vector<char> PointContact::covered_sides(const State& committed) const {
   return flags;
 }
 
-std::vector<char> PointContact::with_rim(std::vector<char> flags) const {
-  if (!exchange_) return flags;
-  std::vector<double> marked(surface_->mesh().num_nodes());
-  for (int ring = 0; ring < parts_.drainage.sealing_rim(); ++ring) {
-    for (std::size_t s = 0; s < flags.size(); ++s)
-      for (int a = 0; a < sides()[s].count && flags[s]; ++a) marked[sides()[s].node[a]] = 1;
-    exchange_->sum_shared(marked);
-    for (std::size_t s = 0; s < flags.size(); ++s)
-      for (int a = 0; a < sides()[s].count; ++a)
-        if (marked[sides()[s].node[a]] > 0) flags[s] = 1;
-  }
-  return flags;
-}
-
-bool PointContact::drains(std::size_t side, const State& committed, double dt) const {
-  const SurfaceSide& at = sides()[side];
-  const double h = edges(at, committed.coordinates).second;
-  return 6 * context_.consolidation(at.block, at.element) * dt >= h * h;
-}
-
 void PointContact::close(const State& committed, double dt, ClosedSides& closed) const {
   if (!parts_.drainage.closes() || laws_.pressure() < 0) return;
   closed.possible = true;
   const std::vector<Side>& set = surface_->mesh().side_sets().at(set_);
-  const std::vector<char> flags = covered_sides(committed), rim = with_rim(flags);
+  std::vector<char> flags = covered_sides(committed);
+  if (rim_) flags = rim_->around(flags, committed.coordinates, dt);
   for (std::size_t s = 0; s < set.size(); ++s)
-    if (flags[s] || (rim[s] && !drains(s, committed, dt)))
-      closed.sides.insert({set[s].block, set[s].element, set[s].side});
+    if (flags[s]) closed.sides.insert({set[s].block, set[s].element, set[s].side});
 }
 
 void PointContact::first_act(State& committed) {

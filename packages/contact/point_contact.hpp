@@ -14,12 +14,12 @@
 #include "contact/parts/drainage.hpp"
 #include "contact/parts/initial_gap.hpp"
 #include "contact/parts/leaky_surface.hpp"
+#include "contact/parts/sealing_rim.hpp"
 #include "contact/point_rows.hpp"
 #include "contact/target.hpp"
 #include "contact/uzawa.hpp"
 #include "framework/closed_sides.hpp"
 #include "framework/first_act.hpp"
-#include "framework/nodal_exchange.hpp"
 #include "framework/surface_points.hpp"
 
 namespace mudline {
@@ -120,12 +120,12 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   std::string name_;
   int displacement_ = -1, temperature_ = -1;  // fields
   std::unique_ptr<ContactSurface> surface_;
-  std::unique_ptr<const NodalExchange> exchange_;  // null without a rim
-  std::unique_ptr<LeakySurface> leak_;             // null unless leaky
-  std::map<CellShape, ContactRule> rules_;         // of the sides
-  std::vector<int> first_row_;                     // (side) one more: number of rows
-  std::shared_ptr<const SurfacePoints> places_;    // of the rows
-  double gap_tolerance_ = 0;                       // [m]
+  std::unique_ptr<const SealingRim> rim_;        // null unless sealed with a rim
+  std::unique_ptr<LeakySurface> leak_;           // null unless leaky
+  std::map<CellShape, ContactRule> rules_;       // of the sides
+  std::vector<int> first_row_;                   // (side) one more: number of rows
+  std::shared_ptr<const SurfacePoints> places_;  // of the rows
+  double gap_tolerance_ = 0;                     // [m]
   PointRows rows_;
   int penalties_ = -1;  // state handle
 
@@ -185,10 +185,6 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   /// Penetration [m] at which a point has this pressure [Pa].
   double in_situ_penetration(std::size_t side, int point, const State& committed, double pressure) const;
   bool covered(std::size_t side, const State& committed) const;
-  /// The sides that are flagged, and their rim. Collective.
-  std::vector<char> with_rim(std::vector<char> flags) const;
-  /// Whether the soil at a side drains in a step of dt [s], as far as the mesh resolves it.
-  bool drains(std::size_t side, const State& committed, double dt) const;
   std::vector<char> covered_sides(const State& committed) const;  // (side)
 };
 
