@@ -14,9 +14,9 @@ namespace mudline {
 /// deviates from zero by a share of the shear strain. A law that hardens with its volume keeps the error, and it grows
 /// beside rough walls.
 ///
-/// So the volume strain is projected to the shapes of the pore pressure, by least squares over all elements. Of the
-/// difference between the projection and the strain of the motion the law sees the share s at its point: s = sum N (1 -
-/// w), with the drained share of each node
+/// So the volume strain is projected to the shapes of the pore pressure, by least squares over all elements. The law
+/// sees its share s of the difference between the projection and the strain of the motion: s = sum N (1 - w), with the
+/// drained share of each node
 ///     w = dt C / (dt C + V),  C = int E grad(N) . kappa grad(N) dv,  V = int N dv,
 /// E the drained constrained modulus and kappa the mobility: what a node's part of the soil loses in a step of its own
 /// pressure by flow. So soil that cannot drain within a step keeps its volume as the water does, and soil that drains
@@ -26,8 +26,7 @@ class WaterDilatation {
   explicit WaterDilatation(const Soil& soil) : soil_(soil), exchange_(soil.space->mesh()) {}
 
   /// The volume strain that the law of each point sees beyond that of the motion (ln J, swelling positive), by block:
-  /// (point, 0). It is zero in blocks
-  /// that do not ask for it (SoilBlock::sees_water). Collective.
+  /// (point, 0). It is zero in blocks that do not ask for it (SoilBlock::sees_water). Collective.
   std::vector<PointView> find(const StepView& view) const;
 
  private:
