@@ -156,9 +156,9 @@ struct Soil {
 /// soil keeps its volume. It is for laws with Skeleton::volume_apart, and for all cells but tri3 and tet4. Automatic:
 /// fitted in quad4, hex8 and wedge6 with such a law.
 enum class VolumeStrain { automatic, fitted, at_points };
-/// The volume strain that the laws of saturated soil see: that of the water (WaterDilatation), or that of each point.
-/// Automatic: that of the water for laws that harden with their volume.
-enum class SaturatedStrain { automatic, water_balance, at_points };
+/// The volume strain that the laws of saturated soil see: that of each point, or that of the water (WaterDilatation)
+/// for all laws or for those that harden with their volume.
+enum class SaturatedStrain { at_points, water_balance, hardening };
 
 /// Pairs every element block with the materials that name its region. `scalars`: the fields beside the displacement:
 /// none, the pore pressure, or pore pressure and temperature. InputError when no material names a region, when several

@@ -89,12 +89,14 @@ void SoilPhysics::pore_water_parameters(Parameters& p) {
   excess_ = counted == Counted::excess;
   p.choice(
       "volume strain", saturated_strain_,
-      {{"automatic", SaturatedStrain::automatic},
+      {{"at points", SaturatedStrain::at_points},
        {"water balance", SaturatedStrain::water_balance},
-       {"at points", SaturatedStrain::at_points}},
-      "the volume strain that the laws see at the end of a step. water balance: where the soil cannot drain within "
-      "the step, that which the balance of the water resolves; at points: that of each point's motion, which "
-      "gathers errors beside rough walls; automatic: water balance for laws that harden with their volume "
+       {"hardening", SaturatedStrain::hardening}},
+      "the volume strain that the laws see at the end of a step. at points: that of each point's motion; water "
+      "balance: "
+      "where the soil cannot drain within the step, that which the balance of the water resolves, which is more exact "
+      "beside rough walls and keeps grains less exactly; hardening: the same for laws that harden with their volume "
+      "only "
       "(modified cam clay, s-clay1s, hypoplasticity)");
 }
 

@@ -30,7 +30,7 @@ class SoilPhysics : public Physics {
   std::shared_ptr<Soil> soil_;
   Gravity gravity_;
   bool excess_ = false;
-  SaturatedStrain saturated_strain_ = SaturatedStrain::automatic;
+  SaturatedStrain saturated_strain_ = SaturatedStrain::at_points;
   VolumeStrain volume_strain_ = VolumeStrain::at_points;
 
  private:

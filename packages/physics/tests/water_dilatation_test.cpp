@@ -97,7 +97,7 @@ TEST(WaterDilatation, SoilThatDrainsWithinTheStepSeesItsMotion) {
   }
 }
 
-TEST(WaterDilatation, ElasticSoilSeesItsMotionUnlessTheDeckWantsElse) {
+TEST(WaterDilatation, IsForTheLawsThatTheDeckSays) {
   EXPECT_FALSE(SoilModel().soil->blocks[0].sees_water);
   EXPECT_TRUE(SoilModel("", by_water).soil->blocks[0].sees_water);
   const std::string clay = section_xml(
@@ -113,9 +113,10 @@ TEST(WaterDilatation, ElasticSoilSeesItsMotionUnlessTheDeckWantsElse) {
   const std::string start = section_xml(
       "initial state", text_parameter("type", "uniform") + number_parameter("effective stress xx", 5e4) +
                            number_parameter("effective stress yy", 5e4) + number_parameter("effective stress zz", 5e4));
-  EXPECT_TRUE(SoilModel("", start, SoilModel::box("plane strain"), clay).soil->blocks[0].sees_water);
-  const std::string off = start + text_parameter("volume strain", "at points");
-  EXPECT_FALSE(SoilModel("", off, SoilModel::box("plane strain"), clay).soil->blocks[0].sees_water);
+  EXPECT_FALSE(SoilModel("", start, SoilModel::box("plane strain"), clay).soil->blocks[0].sees_water);
+  const std::string hardening = text_parameter("volume strain", "hardening");
+  EXPECT_TRUE(SoilModel("", start + hardening, SoilModel::box("plane strain"), clay).soil->blocks[0].sees_water);
+  EXPECT_FALSE(SoilModel("", hardening).soil->blocks[0].sees_water);
 }
 
 }  // namespace
