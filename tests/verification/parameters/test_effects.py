@@ -101,8 +101,14 @@ class Effects(BallCase):
     @problem("behaviour")
     def test_sealing_gap(self):
         # the wider the sealed ring round the face, the less water leaves and the larger the force
-        narrow, wide = (self.ball(f"{CONTACT}/sealing gap={gap}")[FORCE][-1] for gap in (0.1, 1))
+        narrow, wide = (self.ball(f"{CONTACT}/sealing gap={gap}", f"{CONTACT}/sealing rim=0")[FORCE][-1] for gap in (0.1, 1))
         self.assertGreater(wide, 1.1 * narrow)
+
+    @problem("behaviour")
+    def test_sealing_rim(self):
+        # as above: in a step of 0.25 ms nothing drains
+        none, rim = (self.ball(f"{CONTACT}/sealing rim={sides}")[FORCE][-1] for sides in (0, 2))
+        self.assertGreater(rim, 1.1 * none)
 
     @problem("behaviour")
     def test_error_tolerance(self):
