@@ -34,7 +34,7 @@ class RoughWall(SharedRun):
                             cone_influences.critical_stress(), stress)
 
 
-@problem(title="Rough cone in clay that cannot drain")
+@problem(title="Rough cone in clay that cannot drain: strain at points")
 class VolumeStrainAtPoints(RoughWall):
     @classmethod
     def setUpClass(cls):
@@ -46,7 +46,7 @@ class VolumeStrainAtPoints(RoughWall):
         self.check(mean=0.005, single=0.01, stress=0.06)
 
 
-@problem(title="Rough cone in clay that cannot drain")
+@problem(title="Rough cone in clay that cannot drain: strain of the water")
 class VolumeStrainOfTheWater(RoughWall):
     @classmethod
     def setUpClass(cls):
