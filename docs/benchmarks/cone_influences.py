@@ -58,7 +58,7 @@ def adhesion(share):
             CONTACT + "friction/tangential penalty factor": 0.02}
 
 
-WATER = {"physics/ground/volume strain": "hardening"}  # beside rough walls
+WATER = {"physics/ground/volume strain": "hardening", CONTACT + "sealing rim": 6}  # beside rough walls
 # soil out of which no water goes, to 1.6 radii: its void ratio must stay, and sheared long enough p' be critical
 SEALED = {"materials/clay/permeability/hydraulic conductivity": 1e-14, "stages/push/duration": 1.4}
 

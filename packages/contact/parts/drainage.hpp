@@ -31,7 +31,7 @@ class Drainage {
  private:
   Kind kind_;
   double sealing_gap_ = 0.1, conductance_ = 0;
-  int sealing_rim_ = 6;
+  int sealing_rim_ = 0;
   Function outside_;
 };
 
