@@ -156,10 +156,13 @@ def options_of(base, words):
     def fail(message):
         unknown = re.match(r"unrecognized arguments: --(\w+)", message)
         near = unknown and difflib.get_close_matches(unknown[1], [number.name for number in base.numbers], 1)
+        if near:
+            raise NewError(f"{message} (did you mean '--{near[0]}'?)")
+        if unknown or "unrecognized" not in message:
+            raise NewError(f"{message} (see mudline new {base.name} --help)")
         first = base.numbers[0]
-        raise NewError(message + (f" (did you mean '--{near[0]}'?)" if near else
-                                  f" (see mudline new {base.name} --help)" if unknown or "unrecognized" not in message else
-                                  f"; numbers have names, and those with a unit quotation marks: --{first.name} \"{first.value}\""))
+        raise NewError(f"{message}; numbers have names, and those with a unit quotation marks: "
+                       f'--{first.name} "{first.value}"')
 
     parser.error = fail
     return parser.parse_args(words)

@@ -86,8 +86,8 @@ class New(MudlineCase):
     def test_a_size_in_the_wrong_unit_is_doubted(self):
         """A pile of 50 m instead of 50 cm: one line with numbers; and what has no unit is said to count in SI units."""
         said, _ = self.written("pile", "--diameter", "50", "--su_top", "4 kPa")
-        self.assertIn("\nwarning: body 'pile': its width is 50 m, usual is 50 mm to 12 m (plausibility/body width): give lengths in m, or "
-                      'with a unit, as "50 cm"\n', said)
+        self.assertIn("\nwarning: body 'pile': its width is 50 m, usual is 50 mm to 12 m (plausibility/body width): give "
+                      'lengths in m, or with a unit, as "50 cm"\n', said)
         self.assertIn("\nwithout a unit, so in SI units: --diameter 50\n", said)
         said, _ = self.written("pile", "--diameter", "50 cm", "--overwrite")
         self.assertNotIn("warning", said)

@@ -11,7 +11,7 @@ std::string told(double value, const char* pattern = "%.3g");
 /// stay as they are, and shares have three figures.
 std::string readable(double value, const std::string& unit, int figures = 4);
 
-/// The same of a range: "2 to 15.6 kPa", "0.2 to 80 mm", "900 Pa to 2 kPa"; one number where both read alike.
+/// A range as a reader likes it: "2 to 15.6 kPa", "0.2 to 80 mm", "900 Pa to 2 kPa"; one number where both read alike.
 std::string readable_range(double low, double high, const std::string& unit, int figures = 4);
 
 }  // namespace mudline

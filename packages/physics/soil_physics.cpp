@@ -93,11 +93,9 @@ void SoilPhysics::pore_water_parameters(Parameters& p) {
        {"water balance", SaturatedStrain::water_balance},
        {"hardening", SaturatedStrain::hardening}},
       "the volume strain that the laws see at the end of a step. at points: that of each point's motion; water "
-      "balance: "
-      "where the soil cannot drain within the step, that which the balance of the water resolves, which is more exact "
-      "beside rough walls and keeps grains less exactly; hardening: the same for laws that harden with their volume "
-      "only "
-      "(modified cam clay, s-clay1s, hypoplasticity)");
+      "balance: where the soil cannot drain within the step, that which the balance of the water resolves, which is "
+      "more exact beside rough walls and keeps grains less exactly; hardening: the same for laws that harden with "
+      "their volume only (modified cam clay, s-clay1s, hypoplasticity)");
 }
 
 void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& section, const std::string& otherwise) {

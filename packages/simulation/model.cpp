@@ -219,10 +219,8 @@ double Model::constrained_modulus(int block, int element) const {
 }
 
 double Model::consolidation(int block, int element) const {
-  if (!soil_->blocks[block].porous()) return 0;
-  return mean_over_points(block, element, [](const SoilPoints& points, int row) {
-    return points.constrained_modulus(row) * points.mobility(row);
-  });
+  return mean_over_points(block, element,
+                          [](const SoilPoints& points, int row) { return points.figures(row).consolidation; });
 }
 
 void Model::read_contacts(const Section& deck, const Registries& registries) {

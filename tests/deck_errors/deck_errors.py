@@ -182,13 +182,16 @@ class CommandLine(Answering):
         self.answer(["chek", "deck.xml"], "error: unknown command 'chek' (did you mean 'check'?)")
 
     def test_misspelt_option(self):
-        self.answer(["run", "deck.xml", "--step", "1"], "error: The following argument was not expected: --step (did you mean '--steps'?)")
-        self.answer(["run", "deck.xml", "--slowly", "1"], "error: The following argument was not expected: --slowly (see mudline --help)")
+        self.answer(["run", "deck.xml", "--step", "1"],
+                    "error: The following argument was not expected: --step (did you mean '--steps'?)")
+        self.answer(["run", "deck.xml", "--slowly", "1"],
+                    "error: The following argument was not expected: --slowly (see mudline --help)")
 
     def test_ranks_for_the_program(self):
         for option in ("-n", "-np", "--ranks=2"):
             line = program(["run", "deck.xml", option, "2"], folder=self.folder).stderr.strip()
-            self.assertTrue(line.endswith("; ranks are those of the launcher: ./mudline -n 2 run, or mpirun -n 2 mudline run"), line)
+            self.assertTrue(line.endswith("; ranks are those of the launcher: ./mudline -n 2 run, or mpirun -n 2 "
+                                          "mudline run"), line)
 
     def test_a_setting_without_equals(self):
         self.answer(["run", "deck.xml", "--set", "mesh/cells", "{4, 4}"],
@@ -196,7 +199,8 @@ class CommandLine(Answering):
 
     def test_a_deck_without_its_ending(self):
         for ranks in (1, 2):
-            self.answer(["check", "deck"], "error: deck: the deck does not exist or cannot be read (did you mean 'deck.xml'?)", ranks)
+            self.answer(["check", "deck"],
+                        "error: deck: the deck does not exist or cannot be read (did you mean 'deck.xml'?)", ranks)
 
     def test_a_deck_given_twice(self):
         self.answer(["check", "deck.xml", "deck.xml"], "error: deck.xml: given twice; the files after the deck are overlays, which replace "

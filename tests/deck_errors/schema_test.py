@@ -69,11 +69,26 @@ class Schema(unittest.TestCase):
             valid = self.schema.validate(tree)
             self.assertTrue(valid, f"{os.path.relpath(path, ROOT)}: {self.schema.error_log}")
 
+    def with_values(self, name, kinds, values):
+        """(value, text) of inputs/consolidation/terzaghi.xml with each of the values at the parameter of this name."""
+        with open(os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml"), encoding="utf-8") as file:
+            text = file.read()
+        pattern = re.compile(f'(name="{name}" type="(?:{kinds})" value=)"[^"]*"')
+        for value in values:
+            changed, count = pattern.subn(lambda match: f'{match[1]}"{value}"', text)
+            self.assertEqual(count, 1, name)
+            yield value, changed
+
+    def checked(self, text):
+        """What `mudline check` answers to a deck."""
+        path = os.path.join(self.folder.name, "deck.xml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return subprocess.run([PROGRAM, "check", path], capture_output=True, text=True)
+
     def test_ranges(self):
         """A plain number outside of the declared range is refused, by schema and program alike. A value with a unit, an
         expression and a number at a closed end are not."""
-        with open(os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml"), encoding="utf-8") as file:
-            text = file.read()
         good = ("1e-9 m/s", "2*k", "k", "1e-7", "0.5", "(1e-7)", "1 m/day")
         for name, within, outside in (("hydraulic conductivity", good, ("-1e-6", "-1")),
                                       ("Poisson's ratio", ("0", "0.49", "0.3 + nu"), ("0.5", "2.5", "-1", "25")),
@@ -82,40 +97,26 @@ class Schema(unittest.TestCase):
                                       ("start-up steps", ("0", "8"), ("-8",)),
                                       ("duration", ("1 day", "3600", "1e9"), ("-1", "0")),
                                       ("y", ("-10", "-10 kPa", "-q"), ())):
-            pattern = re.compile(f'(name="{name}" type="(?:double|int)" value=)"[^"]*"')
-            for value in within + outside:
-                changed, count = pattern.subn(lambda match: f'{match[1]}"{value}"', text)
-                self.assertEqual(count, 1, name)
+            for value, changed in self.with_values(name, "double|int", within + outside):
                 with self.subTest(f"{name} {value}"):
                     self.assertEqual(self.refused(etree.fromstring(changed.encode())), value in outside)
-            for value in outside:
-                path = os.path.join(self.folder.name, "deck.xml")
-                with open(path, "w", encoding="utf-8") as file:
-                    file.write(pattern.sub(lambda match: f'{match[1]}"{value}"', text))
-                done = subprocess.run([PROGRAM, "check", path], capture_output=True, text=True)
-                self.assertEqual((done.returncode, "out of range" in done.stderr), (2, True), f"{name} {value}")
+                    if value in outside:
+                        done = self.checked(changed)
+                        self.assertEqual((done.returncode, "out of range" in done.stderr), (2, True))
 
     def test_units(self):
-        """A number with one unit of another dimension is refused, by schema and program alike; the right ones are not."""
-        with open(os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml"), encoding="utf-8") as file:
-            text = file.read()
+        """A number with one unit of another dimension is refused, by schema and program alike; the right ones are
+        not."""
         for name, right, wrong in (("duration", ("1 day", "2h", "3600 s"), ("1 kPa", "5 m", "5 K")),
                                    ("y", ("-10 kPa", "-1 N/m2", "-2*q"), ("-10 kN", "-3 s")),
                                    ("porosity", ("40 %",), ("0.4 m", "40 kPa")),
                                    ("Young's modulus", ("10 MPa", "10MPa", "10 N/mm2"), ("10 MN", "10 mpa", "10 psi"))):
-            pattern = re.compile(f'(name="{name}" type="double" value=)"[^"]*"')
-            for value in right + wrong:
-                changed, count = pattern.subn(lambda match: f'{match[1]}"{value}"', text)
-                self.assertEqual(count, 1, name)
+            for value, changed in self.with_values(name, "double", right + wrong):
                 with self.subTest(f"{name} {value}"):
                     self.assertEqual(self.refused(etree.fromstring(changed.encode())), value in wrong)
-                    if "q" in value:
-                        continue
-                    path = os.path.join(self.folder.name, "deck.xml")
-                    with open(path, "w", encoding="utf-8") as file:
-                        file.write(changed)
-                    done = subprocess.run([PROGRAM, "check", path], capture_output=True, text=True)
-                    self.assertEqual(done.returncode, 2 if value in wrong else 0, done.stderr)
+                    if "q" not in value:
+                        done = self.checked(changed)
+                        self.assertEqual(done.returncode, 2 if value in wrong else 0, done.stderr)
 
     def typos_of(self, tree):
         """[(what, element, attribute)] of a deck: words that the program knows, types, and values that are words."""

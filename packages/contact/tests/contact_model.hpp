@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Tpetra_Core.hpp>
-#include <limits>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>

@@ -13,7 +13,7 @@ namespace {
 struct Moments {
   std::vector<PointView> volume, strain;  // (point, 0) [m3], [-]
   std::vector<double> lumped, swell;      // int N dv, int N times volume strain dv [m3]
-  std::vector<double> flow;               // int E grad(N) . kappa grad(N) dv [m3/s]
+  std::vector<double> flow;               // int grad(N) . c_v grad(N) dv [m3/s]
 
   explicit Moments(std::size_t nodes) : lumped(nodes), swell(nodes), flow(nodes) {}
 };
@@ -35,14 +35,14 @@ void add_moments(const Soil& soil, const SoilBlock& b, const StepView& view, con
             const int row = e * b.points + q;
             double swell = 2 * at.hoop_moved;  // the level has half of the motion
             for (int i = 0; i < Loop::D; ++i) swell += 2 * at.moved[i][i];
-            const double conduction = points.constrained_modulus(row) * points.mobility(row);
+            const double consolidation = points.figures(row).consolidation;
             volume(row, 0) = s.dv;
             strain(row, 0) = swell;
             for (int c = 0; c < Loop::NS; ++c) {
               const int node = b.nodes(e, c);
               to.lumped[node] += s.dv * s.Np[c];
               to.swell[node] += s.dv * s.Np[c] * swell;
-              to.flow[node] += s.dv * conduction * points.along_ratios(row, s.gp[c], s.gp[c], Loop::D);
+              to.flow[node] += s.dv * consolidation * points.along_ratios(row, s.gp[c], s.gp[c], Loop::D);
             }
           });
   });

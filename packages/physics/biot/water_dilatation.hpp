@@ -17,9 +17,9 @@ namespace mudline {
 /// So the volume strain is projected to the shapes of the pore pressure, by least squares over all elements. The law
 /// sees its share s of the difference between the projection and the strain of the motion: s = sum N (1 - w), with the
 /// drained share of each node
-///     w = dt C / (dt C + V),  C = int E grad(N) . kappa grad(N) dv,  V = int N dv,
-/// E the drained constrained modulus and kappa the mobility: what a node's part of the soil loses in a step of its own
-/// pressure by flow. So soil that cannot drain within a step keeps its volume as the water does, and soil that drains
+///     w = dt C / (dt C + V),  C = int grad(N) . c_v grad(N) dv,  V = int N dv,
+/// and the coefficient of consolidation c_v: what a node's part of the soil loses in a step of its own pressure by
+/// flow. So soil that cannot drain within a step keeps its volume as the water does, and soil that drains
 /// at once sees its own motion. The difference has no moment with s, so that the total volume stays that of the motion.
 class WaterDilatation {
  public:

@@ -191,10 +191,12 @@ int StressDivergence::complete(const StepView& view, const NodalView& forces) {
   int failures = 0;
   for (std::size_t k = 0; k < soil_->blocks.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
-    StressUpdate update(*soil_, b, view, StressUpdate::Tangent::none);
-    update.add_dilatation(dilatations[k]);
-    failures += run(update, b);
-    add_residual(soil_->geometry, b, update.level(), total_stress(*soil_, b, view), forces);
+    if (b.sees_water) {
+      StressUpdate update(*soil_, b, view, StressUpdate::Tangent::none);
+      update.add_dilatation(dilatations[k]);
+      failures += run(update, b);
+    }
+    add_residual(soil_->geometry, b, end_level(view, b), total_stress(*soil_, b, view), forces);
   }
   return failures;
 }

@@ -35,7 +35,8 @@ class Pairs(SlidingBlocks):
 
     def test_patch_in_water(self):
         """The same in steady pore pressure, with friction on the effective traction."""
-        porous = {"porosity": 0.4, "fluid": {"type": "water"}, "permeability": {"type": "constant", "hydraulic conductivity": 1.0}}
+        porous = {"porosity": 0.4, "fluid": {"type": "water"},
+                  "permeability": {"type": "constant", "hydraulic conductivity": 1.0}}
         water = self.write("water.xml", deck_text("water", {
             "materials": {"lower": porous, "upper": porous}, "physics": {"blocks": {"type": "biot"}},
             "boundary conditions": {f"water {name}": {"type": "pore pressure", "set": name, "value": 4e4}
@@ -44,7 +45,8 @@ class Pairs(SlidingBlocks):
         for slave, master in (("upper bottom", "lower top"), ("lower top", "upper bottom")):
             self.run_deck([self.deck("blocks"), water], (
                 f"contacts/face/slave={slave}", f"contacts/face/master={master}", "contacts/face/gap tolerance=1e-12",
-                "boundary conditions/load/value=1e5", "stages/press/duration=1e6", "stages/press/time step/initial=1e6"))
+                "boundary conditions/load/value=1e5", "stages/press/duration=1e6",
+                "stages/press/time step/initial=1e6"))
             way, pressure = self.top()
             self.assertGreater(len(pressure), 6)
             self.compare_values("pressure", pressure, 1e5, 1e-8)

@@ -101,8 +101,10 @@ For b In {0:1}
   bottom~{b} = c; top~{b} = c+2; left~{b} = c+3; right~{b} = c+1;
 EndFor
 Physical Surface("lower") = {s_0}; Physical Surface("upper") = {s_1};
-Physical Curve("base") = {bottom_0}; Physical Curve("face") = {top_0}; Physical Curve("lower sides") = {left_0, right_0};
-Physical Curve("under") = {bottom_1}; Physical Curve("top") = {top_1}; Physical Curve("upper sides") = {left_1, right_1};
+Physical Curve("base") = {bottom_0}; Physical Curve("face") = {top_0};
+Physical Curve("lower sides") = {left_0, right_0};
+Physical Curve("under") = {bottom_1}; Physical Curve("top") = {top_1};
+Physical Curve("upper sides") = {left_1, right_1};
 '''
 
 
@@ -131,7 +133,8 @@ class SlidingInWater(ContactCase):
                 "lower sides": {"type": "fixed", "set": "lower sides", "components": "x"},
                 "dragged": {"type": "displacement", "set": "upper sides", "x": f"1e-3*t/{duration}"},
                 "load": {"type": "traction", "set": "top", "y": -self.LOAD},
-                **{f"water {name}": {"type": "pore pressure", "set": name, "value": value} for name, value in pressures.items()}},
+                **{f"water {name}": {"type": "pore pressure", "set": name, "value": value}
+                   for name, value in pressures.items()}},
             "contacts": {"contact": {"gap tolerance": 1e-11, **contact,
                                      "friction": {"type": "coulomb", "coefficient": self.COEFFICIENT}}},
             "stages": {"slide": {"type": "quasi-static", "duration": duration,
@@ -146,7 +149,8 @@ class SlidingInWater(ContactCase):
         for slave, master, pressure, order in (("under", "face", 4.0, 2), ("under", "face", -4.0, 2), ("face", "under", 1.0, 2),
                                                ("under", "face", 4.0, 1)):
             water = {"under": 4.0, "face": 1.0, **{slave: pressure}}
-            history = self.slide(1.0, {"initial": 0.25}, water, {"type": "mortar", "slave": slave, "master": master}, order=order)
+            contact = {"type": "mortar", "slave": slave, "master": master}
+            history = self.slide(1.0, {"initial": 0.25}, water, contact, order=order)
             self.compare_values("load", np.abs(history["contact/contact/force on slave y"]), self.LOAD, 1e-8)
             self.compare_values(f"{slave}, {pressure}, order {order}", self.drag(history), self.LOAD - pressure, 1e-6)
 
