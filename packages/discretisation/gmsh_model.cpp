@@ -7,8 +7,10 @@
 #include <set>
 
 #include "core/errors.hpp"
+#include "core/told.hpp"
 #include "discretisation/gmsh_session.hpp"
 #include "discretisation/msh_element.hpp"
+#include "discretisation/triangulation.hpp"
 
 namespace mudline {
 
@@ -169,17 +171,46 @@ std::map<std::string, std::vector<Tag>> Reader::read_points(int dimension) const
 /// The mesh of the model that Gmsh has open. Throws InputError without a position.
 TaggedMesh read_gmsh_model(int dimension) { return Reader(dimension).read(); }
 
+/// Refuses the open geometry, whose curves are meshed, where their sides tell that coordinates and sizes are in
+/// different units: Gmsh would fill the faces with a thousand times a thousand elements for one that is meant.
+void refuse_many_sides(const GmshFile& file, const SourcePosition& position) {
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> tags, nodes;
+  gmsh::model::mesh::getElements(types, tags, nodes, 1);
+  std::size_t sides = 0;
+  for (const auto& of_type : tags) sides += of_type.size();
+  if (sides <= most_sides) return;
+  double low[3], high[3];
+  gmsh::model::getBoundingBox(-1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
+  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  position.fail("Gmsh divides the curves of '" + short_name(file.name) + "' into " + std::to_string(sides) +
+                    " sides, too many for a model that is " + readable(extent, "m", 3) +
+                    " across: are its coordinates in mm and its sizes in m? Here all are in m. A mesh that is meant to "
+                    "be so fine is given as .msh",
+                "file");
+}
+
+void refuse_errors(const GmshFile& file, const SourcePosition& position) {
+  if (const std::string error = gmsh_error(); !error.empty())
+    position.fail("Gmsh, reading '" + short_name(file.name) + "': " + error, "file");
+}
+
+void generate_mesh(const GmshFile& file, int dimension, int order, const SourcePosition& position) {
+  for (const int filled : {1, dimension}) {  // the curves first: they tell how many elements there will be
+    gmsh::model::mesh::generate(filled);
+    refuse_errors(file, position);
+    if (filled == 1) refuse_many_sides(file, position);
+  }
+  gmsh::model::mesh::setOrder(order);
+  refuse_errors(file, position);
+}
+
 }  // namespace
 
 TaggedMesh read_gmsh_mesh(const GmshFile& file, int dimension, int order, const SourcePosition& position) {
   return with_gmsh<TaggedMesh>(file, position, [&] {
     open_in_gmsh(file, position);
-    if (is_gmsh_geometry(file.name)) {
-      gmsh::model::mesh::generate(dimension);
-      if (gmsh_error().empty()) gmsh::model::mesh::setOrder(order);
-      const std::string error = gmsh_error();
-      if (!error.empty()) position.fail("Gmsh, reading '" + short_name(file.name) + "': " + error, "file");
-    }
+    if (is_gmsh_geometry(file.name)) generate_mesh(file, dimension, order, position);
     try {
       return read_gmsh_model(dimension);
     } catch (const InputError& error) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include "core/child_process.hpp"
@@ -61,6 +62,19 @@ void check_areas(const Triangulation& mesh, const std::vector<OutlinedRegion>& r
     for (const auto& loop : regions[r].loops) outlined += twice_area(mesh.points, loop);
     for (const auto& triangle : mesh.triangles[r]) sum += twice_area(mesh.points, triangle);
     if (!(std::abs(sum - outlined) <= 1e-9 * outlined)) throw NoTriangulation("its boundary cuts itself");
+  }
+}
+
+/// Gmsh may merge vertices that are very close.
+void check_sides(const Triangulation& mesh, const std::vector<OutlinedRegion>& regions) {
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    std::set<std::pair<int, int>> sides;
+    for (const auto& triangle : mesh.triangles[r])
+      for (int k = 0; k < 3; ++k) sides.insert({triangle[k], triangle[(k + 1) % 3]});
+    for (const auto& loop : regions[r].loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        if (sides.count({loop[i], loop[(i + 1) % loop.size()]}) == 0)
+          throw NoTriangulation("Gmsh left out a side of its boundary");
   }
 }
 
@@ -132,6 +146,7 @@ Triangulation in_plane(const std::vector<Vec<double, 2>>& vertices, const std::v
   result.triangles =
       read_simplices<3>(std::move(numbers), regions.size(), result.points, twice_area<std::array<int, 3>>);
   check_areas(result, regions);
+  check_sides(result, regions);
   return result;
 }
 

@@ -16,6 +16,9 @@ const GmshLibrary& library() {
 
 Triangulation triangulate(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit) {
+  if (vertices.size() > most_sides)
+    throw NoTriangulation("its boundary would have " + std::to_string(vertices.size()) + " sides, more than " +
+                          std::to_string(most_sides) + ": are all sizes in m, or with the right unit?");
   return library().triangulate(vertices, regions, size, time_limit);
 }
 

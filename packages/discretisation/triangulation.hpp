@@ -38,9 +38,14 @@ class NoTriangulation : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Sides on the boundary of a region or on a geometry's curves beyond which a mesh is refused: lengths in different
+/// units. A million triangles of one size have some 3000, ten million tetrahedra 2400.
+constexpr std::size_t most_sides = 20000;
+
 /// Triangulates the regions with Gmsh. The sides of the chains are not divided; inside, edges are as long as `size`
 /// asks [m]. Gmsh runs in a process of its own that is ended after `time_limit` seconds; the same input gives the same
-/// triangles. Throws NoTriangulation, and ChildLost where that process is lost, which says nothing about the regions.
+/// triangles. Throws NoTriangulation, also for more than `most_sides`, and ChildLost where that process is lost, which
+/// says nothing about the regions.
 Triangulation triangulate(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit);
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "discretisation/tests/mesh_fixture.hpp"
 #include "tensor/vec.hpp"
@@ -169,6 +170,15 @@ TEST(GmshMesh, TimeLimit) {
       [&] { make(gmsh("cone.geo", parameter("time limit", "double", "1e-4") + override_with("size", "0.003"))); });
   EXPECT_CONTAINS(text, "mesh/file: Gmsh, reading 'cone.geo', had not finished after 0.0001 s and was stopped");
   EXPECT_CONTAINS(text, "'time limit' gives it more time");
+}
+
+TEST(GmshMesh, SizesInAnotherUnitThanCoordinatesAreRefused) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string text = input_error([] { make(gmsh("cone.geo", override_with("size", "0.5e-3"))); });
+  EXPECT_CONTAINS(text, "mesh/file: Gmsh divides the curves of 'cone.geo' into ");
+  EXPECT_CONTAINS(text,
+                  " sides, too many for a model that is 7 m across: are its coordinates in mm and its sizes in m?");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60)) << "before the faces are filled";
 }
 
 TEST(GmshMesh, PointSetIsNoSideSet) {

@@ -55,6 +55,21 @@ TEST(Triangulation, SaysWhatCannotBeMeshed) {
   EXPECT_THROW(triangulate(
                    bow, {{{{0, 1, 2, 3}}}}, [](double, double) { return 0.3; }, 20),
                NoTriangulation);
+  Places circle;
+  std::vector<int> around;
+  for (std::size_t k = 0; k <= most_sides; ++k) {
+    const double angle = 6.283185307179586 * static_cast<double>(k) / (most_sides + 1);
+    circle.push_back({std::cos(angle), std::sin(angle)});
+    around.push_back(static_cast<int>(k));
+  }
+  try {
+    triangulate(
+        circle, {{{around}}}, [](double, double) { return 0.3; }, 20);
+    FAIL();
+  } catch (const NoTriangulation& failure) {
+    EXPECT_EQ(std::string(failure.what()),
+              "its boundary would have 20001 sides, more than 20000: are all sizes in m, or with the right unit?");
+  }
   const Places square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto slow = [](double, double) {
     std::this_thread::sleep_for(std::chrono::seconds(5));
