@@ -32,6 +32,9 @@ void EnforcementParameters::parameters(Parameters& p) {
 }
 
 void EnforcementParameters::check(const Section& section) const {
+  if (penalty > 0 && section.has_parameter("penalty factor"))
+    section.fail("scales the penalty that follows from the soil's stiffness, but 'penalty' gives one; take one out",
+                 "penalty factor");
   if (augmented()) return;
   for (const char* entry : {"gap tolerance", "most augmentations"})
     if (section.has_parameter(entry))

@@ -28,7 +28,7 @@ struct EnforcementParameters {
   /// a step. `stiffness`: of the soil by block and element [Pa].
   void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
                        const PointView& rows) const;
-  /// InputError for entries that have no meaning with the penalty method.
+  /// InputError for two penalties, and for entries that have no meaning with the penalty method.
   void check(const Section& section) const;
 };
 

@@ -190,6 +190,13 @@ DECKS = [
     Wrong("gap that seals nothing", (TOUCHED, TOUCHED + parameter("drainage", "string", "drained") +
                                      parameter("sealing gap", "double", "0.1")),
           "contacts/ball on clay/sealing gap: has no meaning with 'drainage' = drained, which seals nothing"),
+    *(Wrong(f"{entry} without pore water", [*ONE_PHASE, (whole("drained surface"), ""), (", drained surface,", ","),
+                                            (TOUCHED, TOUCHED + parameter(entry, kind, "2"))],
+            f"contacts/ball on clay/{entry}: has a meaning only in a model with the field 'pore pressure'", at=parameter(entry, kind, "2"))
+      for entry, kind in (("sealing gap", "double"), ("sealing rim", "int"))),
+    Wrong("two penalties", (TOUCHED, TOUCHED + parameter("penalty", "double", "1e8") + parameter("penalty factor", "double", "5")),
+          "contacts/ball on clay/penalty factor: scales the penalty that follows from the soil's stiffness, but 'penalty' gives one; "
+          "take one out", at=parameter("penalty factor", "double", "5")),
     # gaps at the start
     Wrong("closing distance without closing", (TOUCHED, TOUCHED + parameter("closing distance", "double", "1e-3")),
           "contacts/ball on clay/closing distance: has a meaning only with 'initial gap' = closed or in-situ stress; here it is as placed", ranks=BOTH),

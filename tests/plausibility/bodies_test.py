@@ -50,6 +50,9 @@ TIP = 3.2  # m, where the mesh was made for 2.14
 BAR, BLOCK, TOUCH = "bodies/bar/", "bodies/block/", "contacts/touch/"
 BOX = {"type": "polyline", "extent": "full"}
 WEIGHT = {"type": "pressure", "set": "top", "value": 2e5}
+SATURATED = {"physics/soil/type": "biot", "materials/clay": {
+    "porosity": 0.5, "grain density": 2700.0, "fluid": {"type": "water"}, "skeleton": CLAY["skeleton"],
+    "permeability": {"type": "constant", "hydraulic conductivity": 1e-9}}}
 
 # base deck, edits, the doubt
 MISTAKES = [
@@ -90,7 +93,7 @@ MISTAKES = [
     ("pushed", {"boundary conditions/weight": WEIGHT}, "load under friction"),
     ("pushed", {TOUCH + "capture distance": 1e-3}, "capture distance"),
     ("pushed", {TOUCH + "advance limit": 50.0}, "advance limit"),
-    ("pushed", {TOUCH + "sealing gap": 20.0}, "sealing gap"),
+    ("pushed", {**SATURATED, TOUCH + "sealing gap": 20.0}, "sealing gap"),
     ("pushed", {TOUCH + "damping": 100.0}, "contact damping"),
     ("pushed", {TOUCH + "enforcement": "augmented Lagrangian", TOUCH + "gap tolerance": 0.1}, "gap tolerance"),
     ("pushed", {BAR + "tip height": 30.0}, "tip height of a body"),

@@ -28,6 +28,9 @@ void Drainage::check(const Section& section, bool pore_pressure) const {
     WaterFilm::refuse(section);
   else if (!pore_pressure)
     section.fail(std::string("film") + needs_field, "drainage");
+  for (const char* entry : {"sealing gap", "sealing rim"})
+    if (!pore_pressure && section.has_parameter(entry))
+      section.fail("has a meaning only in a model with the field 'pore pressure'", entry);
   if (kind_ != Kind::sealed && section.has_parameter("sealing rim"))
     section.fail("has a meaning only with 'drainage' = sealed", "sealing rim");
   if (leaks()) {

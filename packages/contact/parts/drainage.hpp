@@ -15,7 +15,7 @@ class Drainage {
   enum class Kind { sealed, drained, leaky, film };
   explicit Drainage(Kind usual) : kind_(usual) {}
   void parameters(Parameters& p);
-  /// InputError for entries that have no meaning, and for a film in a model without pore pressure.
+  /// InputError for entries that have no meaning, also for want of a pore pressure.
   void check(const Section& section, bool pore_pressure) const;
 
   bool closes() const { return kind_ != Kind::drained; }
