@@ -279,6 +279,17 @@ def uniform_text(result, step, field):
     return f"t = {pictures.nice_time(result.times[step])}, {result.stages[step]}: {value} everywhere."
 
 
+def same_text(result, step, before):
+    return f"t = {pictures.nice_time(result.times[step])}, {result.stages[step]}: as in the picture of '{result.stages[before]}'."
+
+
+def is_same(before, field):
+    """Whether a picture would be the one before: the same values on the same mesh, as after a geostatic stage."""
+    if len(before.values) != len(field.values):
+        return False
+    return np.abs(field.values - before.values).max() <= 1e-4 * np.ptp(field.values)
+
+
 def is_uniform(field):
     return np.ptp(field.values) <= 1e-9 * np.abs(field.values).max()
 
@@ -298,11 +309,17 @@ def field_section(result, steps, wanted, options, gallery):
         shown = [(step, drawing, fields[name]) for step, drawing, fields in drawings if name in fields]
         limits = None
         if options.common_scale:
-            limits = (min(f.values.min() for _, _, f in shown), max(f.values.max() for _, _, f in shown))
+            samples = [drawing.sample(field) for _, drawing, field in shown]
+            limits = pictures.common_limits([field for _, _, field in shown], samples)
+        before = None
         for step, drawing, field in shown:
             if is_uniform(field) and (len(shown) > 1 or not result.in_space):  # a picture of it would tell nothing
                 parts.append(f"<p>{html.escape(uniform_text(result, step, field))}</p>")
                 continue
+            if before and is_same(before[1], field):
+                parts.append(f"<p>{html.escape(same_text(result, step, before[0]))}</p>")
+                continue
+            before = step, field
             figure = drawing.figure(field, limits)
             parts.append(gallery.add(figure, f"{name} {moment_name(result, step)}", False))
         parts.append("</div>")

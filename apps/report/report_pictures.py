@@ -206,6 +206,28 @@ def colour_range(field, limits):
     return factor, unit, low, high
 
 
+def common_limits(fields, samples):
+    """(lowest, highest) for the colours of a field at several times: all values, or, where a few far ones would leave one
+    colour for the rest, those of the middle 98 in 100 of the area at each time. samples: (values, areas) of what is seen."""
+    low, high = min(field.values.min() for field in fields), max(field.values.max() for field in fields)
+    middle = [middle_values(values, areas) for values, areas in samples]
+    middle_low, middle_high = min(m[0] for m in middle), max(m[1] for m in middle)
+    return (middle_low, middle_high) if 0 < middle_high - middle_low < 0.6 * (high - low) else (low, high)
+
+
+def middle_values(values, areas):
+    order = np.argsort(values)
+    share = np.cumsum(areas[order]) / areas.sum()
+    return values[order][np.searchsorted(share, (0.01, 0.99)).clip(max=len(values) - 1)]
+
+
+def beyond(values, low, high):
+    """Which ends of a colour bar have values beyond them, as matplotlib calls it."""
+    tolerance = 1e-9 * (high - low)
+    ends = (values.min() < low - tolerance, values.max() > high + tolerance)
+    return {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[ends]
+
+
 def colour_map(low, high):
     """White at zero where the colour bar is as long on both sides of it."""
     return DIVERGING if low < 0 and low == -high else COLOUR_MAP
@@ -296,15 +318,28 @@ class FieldPicture:
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         self.bounds = [low[0], high[0], low[1], high[1]]
 
+    def window(self):
+        """The second panel; None: there is none."""
+        if self.zoom is None:
+            return zoom_window(self.contours, self.bounds, self.result.axisymmetric and not self.mirrored)
+        return self.zoom or None
+
+    def sample(self, field):
+        """(values, areas) of the triangles in the panel that shows most."""
+        corners = self.points[self.triangles]
+        sides = corners[:, 1:] - corners[:, :1]
+        areas = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+        values = field.values[self.cells] if field.by_cell else field.values[self.triangles % self.count].mean(axis=1)
+        x_min, x_max, y_min, y_max = self.window() or self.bounds
+        x, y = corners.mean(axis=1).T
+        inside = (x >= x_min) & (x <= x_max) & (y >= y_min) & (y <= y_max)
+        return (values[inside], areas[inside]) if inside.any() else (values, areas)
+
     def figure(self, field, limits=None):
         """limits: (lowest, highest) in the field's unit."""
         factor, unit, low, high = colour_range(field, limits)
         values = field.values * factor
-        window = (
-            zoom_window(self.contours, self.bounds, self.result.axisymmetric and not self.mirrored)
-            if self.zoom is None
-            else (self.zoom or None)
-        )
+        window = self.window()
 
         with plt.rc_context({**STYLE, "axes.grid": False}):
             whole = body_window(self.contours, self.bounds, window) or self.sky()
@@ -338,7 +373,7 @@ class FieldPicture:
                 grid[0][0].set_anchor("NW")
                 for side in grid[0][1].spines.values():
                     side.set(visible=True, color="#d1622b", linewidth=1.1)
-            bar = figure.colorbar(drawn, ax=list(grid[0]), shrink=0.92, pad=0.02, aspect=28)
+            bar = figure.colorbar(drawn, ax=list(grid[0]), shrink=0.92, pad=0.02, aspect=28, extend=beyond(values, low, high))
             bar.set_label(f"{field.name} [{unit}]")
             bar.outline.set_visible(False)
             bar.ax.yaxis.set_major_locator(ticks(7))

@@ -141,6 +141,11 @@ class SpacePicture:
         of_bodies = np.arange(len(self.points), len(points)).reshape(-1, 3)
         return points, np.vstack([surface.triangles, of_bodies]), np.concatenate(sides), part
 
+    @staticmethod
+    def sample(field):
+        """(values, weights) of what is shown."""
+        return field.values, np.ones(len(field.values))
+
     def figure(self, field, limits=None):
         """limits: (lowest, highest) in the field's unit."""
         factor, unit, low, high = pictures.colour_range(field, limits)
@@ -165,7 +170,7 @@ class SpacePicture:
             bar_height = min(tallest - 0.5, 3.8)
             bar_axes = axes_at(right + 0.25, (tallest - bar_height) / 2, 0.15, bar_height)
             colours = ScalarMappable(Normalize(low, high), pictures.colour_map(low, high))
-            bar = figure.colorbar(colours, cax=bar_axes)
+            bar = figure.colorbar(colours, cax=bar_axes, extend=pictures.beyond(values, low, high))
             bar.set_label(f"{field.name} [{unit}]")
             bar.outline.set_visible(False)
             bar.ax.yaxis.set_major_locator(pictures.ticks(7))

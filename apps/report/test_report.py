@@ -194,7 +194,7 @@ class ReportTest(unittest.TestCase):
         table = Path(out.split()[-1]).read_text().partition('<h2 id="comparison">')[2].partition("<h2")[0]
         for part in ("<th class=number>cone</th><th class=number>other</th>",
                      "<td>push</td><td>resistance [kN]</td><td class=number>3.5</td><td class=number>4.2</td>",
-                     "<td>half dissipated after</td><td class=number>2.4 days</td><td class=number>3600 s</td>"):
+                     "<td>half dissipated after</td><td class=number>2.4 days</td><td class=number>60 min</td>"):
             self.assertIn(part, table)
         for same in ("speed", "duration", "error of water"):
             self.assertNotIn(same, table)
@@ -241,6 +241,26 @@ class ReportTest(unittest.TestCase):
             self.assertEqual((low, high), expected)
             self.assertEqual(report_pictures.colour_map(low, high) == report_pictures.DIVERGING, low == -high)
 
+    def test_a_few_far_values_do_not_take_the_colours(self):
+        def limits(*samples):
+            return report_pictures.common_limits([Field("x", "-", values, False) for values, _ in samples], samples)
+
+        even, far = (np.linspace(0, 1, 1001), np.ones(1001)), (np.append(np.linspace(0, 1, 1001), [50, 80]), np.ones(1003))
+        self.assertEqual(limits(even), (0, 1))
+        low, high = limits(even, far)
+        self.assertLess(high, 1)
+        self.assertEqual(report_pictures.beyond(far[0], low, high), "both")
+        self.assertEqual(report_pictures.beyond(even[0], 0, 1), "neither")
+        small = (np.append(np.linspace(0, 1, 100), np.full(900, 80.0)), np.append(np.ones(100), np.full(900, 1e-4)))
+        self.assertLessEqual(limits(small)[1], 1)  # many values, but little area
+        self.assertEqual(limits((np.append(np.zeros(1000), 5), np.ones(1001))), (0, 5))  # nothing but a far value
+
+    def test_a_picture_as_the_one_before_is_not_drawn_again(self):
+        before, after = (Field("x", "kPa", np.linspace(40, 90, 50) + more, True) for more in (0, 1e-6))
+        self.assertTrue(mudline_report.is_same(before, after))
+        self.assertFalse(mudline_report.is_same(before, Field("x", "kPa", np.linspace(40, 91, 50), True)))
+        self.assertFalse(mudline_report.is_same(before, Field("x", "kPa", np.linspace(40, 90, 51), True)))
+
     def test_stress_invariants(self):
         tensor = np.array([[-1.0, 0, 0, -3.0, 0, -2.0], [0, 2.0, 0, 0, 0, 0]])
         fields = stress_invariants("effective stress", "Pa", tensor, True)
@@ -252,6 +272,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(report_pictures.scaled("m", 0.02), (1e3, "mm"))
         self.assertEqual(report_pictures.scaled("-", 1e6), (1.0, "-"))
         self.assertEqual(report_pictures.time_unit(1e6), (1 / 86400, "days"))
+        self.assertEqual(report_pictures.time_unit(591), (1 / 60, "min"))
+        self.assertEqual(report_pictures.time_unit(119), (1, "s"))
 
     def test_history_for_a_spreadsheet(self):
         (self.folder / "cone.csv").write_text(HISTORY)

@@ -1,7 +1,7 @@
 """Units in which numbers are easy to read: kPa, kN, mm, days."""
 
 PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""))
-TIMES = ((31557600.0, "years"), (86400.0, "days"), (3600.0, "hours"))  # [s]
+TIMES = ((31557600.0, "years"), (86400.0, "days"), (3600.0, "hours"), (60.0, "min"))  # [s]
 
 
 def scaled(unit, largest):
@@ -19,7 +19,7 @@ def scaled(unit, largest):
 
 
 def time_unit(span):
-    """(factor, unit) for times over a span [s]: long ones read better in hours, days or years than in megaseconds."""
+    """(factor, unit) for times over a span [s]: long ones read better in minutes, hours, days or years."""
     for size, name in TIMES:
         if span >= 2 * size:
             return 1 / size, name
