@@ -187,7 +187,8 @@ int dry_run(const Family& family) {
   log::info(
       "memory: " + readable(trial.memory, "B", 3) + " after a step" +
       (model.mesh().comm()->getSize() > 1 ? ", at most " + readable(trial.largest_memory, "B", 3) + " on a rank" : ""));
-  log::info("steps: about " + told(steps, "%.0f") + " in all stages, if none is cut");
+  log::info("steps: about " + told(steps, "%.0f") +
+            " in all stages, if none is cut and no contact asks for shorter ones");
   if (trial.iterations == 0) {
     log::info("time: not known" + (trial.failure.empty() ? "" : ", for no step can be begun: " + trial.failure));
     return 0;
