@@ -58,6 +58,18 @@ class New(MudlineCase):
             self.assertAlmostEqual(highest / (4 + float(growth.split()[0]) * depth), 1, delta=0.01)
             self.assertIn(overconsolidation, clay)
 
+    def test_a_stiffer_clay_has_the_strength_that_was_asked_for(self):
+        self.written("cpt", "--depth", "10 m", "--su_top", "2 kPa", "--su_growth", "2 kPa/m")
+        told = []
+        for swelling in ("0.04", "0.02"):
+            said = subprocess.run([PROGRAM, "check", "my_cpt.xml", "--set", f"variables/swelling_slope={swelling}"],
+                                  capture_output=True, text=True, cwd=self.folder).stdout
+            clay = next(line for line in said.splitlines() if "material 'clay'" in line)
+            told.append([float(clay.partition(f"{name} ")[2].split()[0]) for name in ("s_u", "G")])
+        for strength, _ in told:
+            self.assertAlmostEqual(strength / 22, 1, delta=0.01)
+        self.assertAlmostEqual(told[1][1] / told[0][1], 2, delta=0.01)
+
     def test_a_column_consolidates_as_theory_says(self):
         """Its base has a tenth of the pressure left at T = 1.031."""
         self.written("column", "--height", "2 m", "--modulus", "3 MPa", "--conductivity", "2e-9 m/s")
