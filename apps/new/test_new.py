@@ -58,6 +58,15 @@ class New(MudlineCase):
             self.assertAlmostEqual(highest / (4 + float(growth.split()[0]) * depth), 1, delta=0.01)
             self.assertIn(overconsolidation, clay)
 
+    def test_the_soil_can_be_remeshed(self):
+        """A doubt of long sides or thick elements at the wall asks for this."""
+        for kind in ("anchor", "cpt", "pile"):
+            with self.subTest(kind):
+                self.written(kind)
+                done = subprocess.run([PROGRAM, "check", f"my_{kind}.xml", "--set", "mesh motion/remeshing/wall size=2 cm"],
+                                      capture_output=True, text=True, cwd=self.folder)
+                self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+
     def test_a_stiffer_clay_has_the_strength_that_was_asked_for(self):
         self.written("cpt", "--depth", "10 m", "--su_top", "2 kPa", "--su_growth", "2 kPa/m")
         told = []

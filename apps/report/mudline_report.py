@@ -284,7 +284,7 @@ def same_text(result, step, before):
 
 
 def is_same(before, field):
-    """Whether a picture would be the one before: the same values on the same mesh, as after a geostatic stage."""
+    """Whether a picture would be the one before: the same values on the same mesh."""
     if len(before.values) != len(field.values):
         return False
     return np.abs(field.values - before.values).max() <= 1e-4 * np.ptp(field.values)
@@ -316,7 +316,7 @@ def field_section(result, steps, wanted, options, gallery):
             if is_uniform(field) and (len(shown) > 1 or not result.in_space):  # a picture of it would tell nothing
                 parts.append(f"<p>{html.escape(uniform_text(result, step, field))}</p>")
                 continue
-            if before and is_same(before[1], field):
+            if before and result.times[step] == result.times[before[0]] and is_same(before[1], field):
                 parts.append(f"<p>{html.escape(same_text(result, step, before[0]))}</p>")
                 continue
             before = step, field
