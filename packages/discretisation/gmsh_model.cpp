@@ -195,12 +195,22 @@ void refuse_errors(const GmshFile& file, const SourcePosition& position) {
     position.fail("Gmsh, reading '" + short_name(file.name) + "': " + error, "file");
 }
 
+/// Meshes the curves alone, looks at their sides, and forgets them again.
+void try_curves(const GmshFile& file, const SourcePosition& position) {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
+  if (!tags.empty()) return;  // of a merged mesh, which is to be kept
+  gmsh::model::mesh::generate(1);
+  refuse_errors(file, position);
+  refuse_many_sides(file, position);
+  gmsh::model::mesh::clear();
+}
+
 void generate_mesh(const GmshFile& file, int dimension, int order, const SourcePosition& position) {
-  for (const int filled : {1, dimension}) {  // the curves first: they tell how many elements there will be
-    gmsh::model::mesh::generate(filled);
-    refuse_errors(file, position);
-    if (filled == 1) refuse_many_sides(file, position);
-  }
+  try_curves(file, position);
+  gmsh::model::mesh::generate(dimension);
+  refuse_errors(file, position);
   gmsh::model::mesh::setOrder(order);
   refuse_errors(file, position);
 }
