@@ -52,4 +52,14 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
   });
 }
 
+/// The same for a block whose displacement is among the unknowns, as that of soil is: f is compiled for no other.
+template <int Scalars = max_scalars, class F>
+auto with_moving_element(Geometry geometry, const FieldBlock& block, F&& f) {
+  using Result = decltype(f(PlaneStrain{}, ElementShapes<6, 0, 0>{}));
+  return with_element<Scalars>(geometry, block, [&](auto coordinates, auto shapes) -> Result {
+    if constexpr (decltype(shapes)::moves) return f(coordinates, shapes);
+    throw std::logic_error("the displacement is not among the unknowns of the block");
+  });
+}
+
 }  // namespace mudline

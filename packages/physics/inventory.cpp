@@ -19,7 +19,7 @@ Inventory take_inventory(const Soil& soil, const State& state) {
     const std::size_t made_of = b.made_of.size();
     std::vector<Point> starts(b.points, Point{});
     std::vector<double> shares(b.points, 1.0);  // (point, material) of one element
-    with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
+    with_moving_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, level};
       for (int e = 0; e < b.elements; ++e) {

@@ -142,7 +142,7 @@ StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepV
 }
 
 int StressUpdate::stage_motion(int first, int last) {
-  return with_element(soil_.geometry, block_, [&](auto coordinates, auto shapes) {
+  return with_moving_element(soil_.geometry, block_, [&](auto coordinates, auto shapes) {
     using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
     const State &old = *view_.committed, &now = *view_.trial;
     using Staging = PointStaging<decltype(coordinates), Loop::S>;

@@ -94,7 +94,7 @@ struct WarmGround {
     for (const SoilBlock& b : soil->blocks) {
       const ByMaterial<WarmSoil> soils = at(b, state);
       const PointView void_ratio = state.arrays[b.void_ratio];
-      with_element(soil->geometry, b, [&](auto coordinates, auto shapes) {
+      with_moving_element(soil->geometry, b, [&](auto coordinates, auto shapes) {
         using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
         const Loop loop{b, level};
         if constexpr (Loop::S > 1)
