@@ -3,6 +3,7 @@ import os
 import re
 import unittest
 
+import h5py
 import numpy as np
 from mudline_case import ROOT, MudlineCase, deck_text, program
 
@@ -44,9 +45,16 @@ class Mpi(MudlineCase):
         self.assertGreater(one["contact/ball on clay/active points"][-1], 2)
         for ranks in (2, 4):
             self.assert_close(one, self.history(f"on{ranks}", settings, ranks), ranks)
+        return one
 
     def test_ranks_direct(self):
         self.check_ranks(DIRECT)
+        # the clay is plastic
+        with h5py.File(os.path.join(self.folder, "results", "one.h5"), "r") as file:
+            steps = file["steps"]
+            size = [np.array(steps[s]["cell"]["preconsolidation_pressure"])
+                    for s in (sorted(steps)[0], sorted(steps)[-1])]
+        self.assertGreater((np.abs(size[1] - size[0]) > 1e-3 * size[0]).sum(), 3)
 
     def test_ranks_block_amg(self):
         self.check_ranks(BLOCK_AMG)
@@ -54,8 +62,7 @@ class Mpi(MudlineCase):
     def test_ranks_film(self):
         """Water between ball and clay, the mesh moving."""
         self.move_the_mesh({"contacts": {"ball on clay": {"drainage": "film"}}})
-        self.check_ranks(DIRECT)
-        one = self.history("one", DIRECT, 1)
+        one = self.check_ranks(DIRECT)
         self.assertGreater(one["contact/ball on clay/film water"][-1], 0)
         self.check_restart(DIRECT, 2)
 
@@ -66,8 +73,8 @@ class Mpi(MudlineCase):
 
     def test_ranks_ale(self):
         self.move_the_mesh()
-        self.check_ranks(DIRECT)
-        self.assertGreater(np.ptp(self.history("moved", DIRECT, 1)["mesh/quality"]), 1e-3)
+        one = self.check_ranks(DIRECT)
+        self.assertGreater(np.ptp(one["mesh/quality"]), 1e-3)
 
     def test_restart_ale(self):
         self.move_the_mesh()
@@ -76,14 +83,6 @@ class Mpi(MudlineCase):
     def test_restart_ale_2(self):
         self.move_the_mesh()
         self.check_restart(DIRECT, 2)
-
-    def test_clay_is_plastic(self):
-        import h5py
-        self.history("one", DIRECT, 1)
-        with h5py.File(os.path.join(self.folder, "results", "one.h5"), "r") as file:
-            steps = file["steps"]
-            size = [np.array(steps[s]["cell"]["preconsolidation_pressure"]) for s in (sorted(steps)[0], sorted(steps)[-1])]
-        self.assertGreater((np.abs(size[1] - size[0]) > 1e-3 * size[0]).sum(), 3)
 
     def check_restart(self, settings, ranks):
         settings = settings + CHECKPOINT
@@ -116,7 +115,7 @@ class Mpi(MudlineCase):
         columns = ("displacement z", "displacement x", "reaction/base z", "reaction/left side x")
         one = self.run_deck(IN_SPACE, exact + ["solver/linear solver/type=direct"])
         for solver in ("direct", "block amg"):
-            for ranks in (1, 2, 4):
+            for ranks in (2, 4) if solver == "direct" else (1, 2, 4):
                 many = self.run_deck(IN_SPACE, exact + ["solver/linear solver/type=" + solver], ranks=ranks)
                 names = [name for name in one.columns if any(part in name for part in columns)]
                 self.assertEqual(len(names), 4)

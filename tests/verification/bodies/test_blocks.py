@@ -57,10 +57,9 @@ class Blocks(MudlineCase):
     @problem("consistency")
     def test_ranks(self):
         one = self.run_deck(deck("roller"), ("stages/roll/duration=0.1",))
-        for ranks in (2, 4):
-            many = self.run_deck(deck("roller"), ("stages/roll/duration=0.1", "output/name=many"), ranks=ranks, name="many")
-            self.assert_same_run(one, many, ("body/roller/rotation", "body/roller/position y", "contact/face/reaction x",
-                                             "balance/energy/body inertia"), f"{ranks} ranks")
+        many = self.run_deck(deck("roller"), ("stages/roll/duration=0.1", "output/name=many"), ranks=4, name="many")
+        self.assert_same_run(one, many, ("body/roller/rotation", "body/roller/position y", "contact/face/reaction x",
+                                         "balance/energy/body inertia"), "4 ranks")
 
     @problem("consistency")
     def test_load_without_inertia(self):

@@ -67,7 +67,7 @@ class Tops(BodyInSpace):
         for axis, turns in enumerate((30, 100, 30)):
             spin = np.full(3, 0.01)
             spin[axis] = 1.0
-            history = self.turn(motion(initial_spin=numbers(spin)), 0.25, turns * 2 * math.pi)
+            history = self.turn(motion(initial_spin=numbers(spin)), 0.5, turns * 2 * math.pi)
             momentum = self.vectors(history, "angular momentum")
             self.compare("angular momentum", np.abs(momentum - INERTIA * spin).max() / np.linalg.norm(INERTIA * spin),
                          1e-6)

@@ -2,9 +2,10 @@
 import os
 import unittest
 
+import h5py
 import numpy as np
 from compared_case import problem
-from mudline_case import ROOT, MudlineCase
+from mudline_case import ROOT, MudlineCase, SharedRun
 from references import falling_body as reference
 
 
@@ -141,9 +142,14 @@ class EnergyOfImpacts(MudlineCase):
 
 
 @problem("exact", "balances of energy, momentum and water", "Ball on clay")
-class BallOnClay(MudlineCase):
+class BallOnClay(SharedRun):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.run_once([deck("ball_on_clay")], ("stages/drop/integrator/spectral radius=1", "output/field steps=5"))
+
     def test_balances(self):
-        history = self.run_deck(deck("ball_on_clay"), ("stages/drop/integrator/spectral radius=1",))
+        history = self.history
         start = 0.5 * 800 * 2.0**2
         # audit: change of kinetic energy and the work of all forces, each by itself
         names = ("stress divergence", "body loads", "contact/seabed", "gravity")
@@ -161,9 +167,7 @@ class BallOnClay(MudlineCase):
 
     @problem("behaviour")
     def test_sealed_and_no_tension(self):
-        import h5py
-        self.run_deck(deck("ball_on_clay"), ("output/field steps=5",))
-        with h5py.File(os.path.join(self.folder, "results", "ball_on_clay.h5"), "r") as file:
+        with h5py.File(os.path.join(self.shared.folder, "results", "ball_on_clay.h5"), "r") as file:
             start = file["mesh/coordinates"][:]
             axis = np.argmin(np.hypot(start[:, 0], start[:, 1]))
             steps = [file["steps"][name] for name in sorted(file["steps"])]

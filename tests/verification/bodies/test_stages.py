@@ -41,11 +41,10 @@ class Stages(MudlineCase):
     @problem("consistency")
     def test_ranks(self):
         one = self.run_deck(CYCLE, (PULLED,))
-        for ranks in (2, 4):
-            many = self.run_deck(CYCLE, (PULLED, f"output/name=on{ranks}"), ranks=ranks, name=f"on{ranks}")
-            self.assertEqual(one.header, many.header)
-            own = [name for name in one.columns if not re.search("/error|iterations|numerical", name)]
-            self.assert_same_run(one, many, own, f"{ranks} ranks")
+        many = self.run_deck(CYCLE, (PULLED, "output/name=on4"), ranks=4, name="on4")
+        self.assertEqual(one.header, many.header)
+        own = [name for name in one.columns if not re.search("/error|iterations|numerical", name)]
+        self.assert_same_run(one, many, own, "4 ranks")
 
     def check_restart(self, ranks):
         # the solver's memory is tidied when a checkpoint is written: the whole run writes one there too

@@ -62,6 +62,5 @@ class SlidingBlocks(ContactCase):
         self.table(decks, "--steps", "3")
         restarted, _ = self.table(decks, "--restart")
         self.assertEqual(restarted, text)
-        for ranks in (2, 3):
-            self.assert_same_run(history, self.table(decks, ranks=ranks)[1], FORCES, f"{ranks} ranks", steps=HEAT_OF_STEPS)
+        self.assert_same_run(history, self.table(decks, ranks=3)[1], FORCES, "3 ranks", steps=HEAT_OF_STEPS)
         return history

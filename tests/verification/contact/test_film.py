@@ -38,7 +38,7 @@ class PulledOff(ContactCase):
         stages["pull"] = {"type": "quasi-static", "duration": duration * time,
                           "motions": {"plate": {"type": "prescribed velocity", "velocity y": velocity}},
                           "integrator": {"type": "theta", "theta": 0.5, "start-up steps": 8},
-                          "time step": {"initial": 1e-5 * time, "growth": 1.1, "maximum": 0.02 * time}}
+                          "time step": {"initial": 1e-5 * time, "growth": 1.2, "maximum": 0.04 * time}}
         history = self.run_deck(self.write("pull.xml", deck_text("pull", {
             "mesh": {"type": "box", "cell": "quad9", "cells": [1, 40], "upper": [WIDTH, HEIGHT],
                      "grading": [1.0, 8.0]},
@@ -123,7 +123,8 @@ class Squeezed(ContactCase):
             "contacts": {"face": {"type": "penalty", "body": "plate", "surface": "top", "drainage": "film",
                                   "film viscosity": self.VISCOSITY}},
             "solver": {"linear solver": {"type": "direct"}},
-            "stages": {"squeeze": {"type": "quasi-static", "duration": 2.0, "time step": {"initial": 0.02, "maximum": 0.02}}}})))
+            "stages": {"squeeze": {"type": "quasi-static", "duration": 2.0,
+                                   "time step": {"initial": 0.2, "maximum": 0.2}}}})))
         # with the film as thick as it is at the end
         return history, 12 * self.VISCOSITY * self.SPEED / (self.FILM - self.SPEED * history.time)**3
 

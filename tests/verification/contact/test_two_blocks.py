@@ -51,7 +51,7 @@ class PulledApart(ContactCase):
             stages["press"] = {"type": "quasi-static", "duration": rest, "time step": {"initial": 0.01 * time, "growth": 1.5}}
         stages["pull"] = {"type": "quasi-static", "duration": duration * time,
                           "integrator": {"type": "theta", "theta": 0.5, "start-up steps": 8},
-                          "time step": {"initial": 1e-5 * time, "growth": 1.1, "maximum": 0.01 * time}}
+                          "time step": {"initial": 1e-5 * time, "growth": 1.2, "maximum": 0.02 * time}}
         self.write("column.geo", COLUMN)
         history = self.run_deck(self.write("pull.xml", deck_text("pull", {
             "mesh": {"type": "gmsh", "file": "column.geo", "order": 2},
@@ -179,9 +179,8 @@ class SlidingInWater(ContactCase):
         text, history = slide()
         slide(extra=("--steps", "3"))
         self.assertEqual(slide(extra=("--restart",))[0], text)
-        for ranks in (2, 3):
-            self.assert_same_run(history, slide(ranks=ranks)[1], [f"contact/contact/force on slave {axis}" for axis in "xy"],
-                                 f"{ranks} ranks")
+        self.assert_same_run(history, slide(ranks=3)[1], [f"contact/contact/force on slave {axis}" for axis in "xy"],
+                             "3 ranks")
 
 
 @problem("consistency", title="Blocks that are remeshed while they slide")

@@ -63,7 +63,7 @@ class Cone(SpaceCase):
             "contacts": {"face": {"type": "frictionless penalty", "body": "cone", "surface": "hole"}},
             "solver": {"linear solver": {"type": "direct"}},
             "stages": {"push": {"type": "quasi-static", "duration": 1.0,
-                                "time step": {"initial": 0.1, "maximum": 0.2}}}}))
+                                "time step": {"initial": 0.25, "maximum": 0.25}}}}))
 
     def test_quarter(self):
         for name, conductivity in (("undrained", 1e-12), ("drained", 1.0)):
