@@ -58,7 +58,6 @@ def adhesion(share):
             CONTACT + "friction/tangential penalty factor": 0.02}
 
 
-WATER = {"physics/ground/volume strain": "hardening", CONTACT + "sealing rim": 6}  # beside rough walls
 # soil out of which no water goes, to 1.6 radii: its void ratio must stay, and sheared long enough p' be critical
 SEALED = {"materials/clay/permeability/hydraulic conductivity": 1e-14, "stages/push/duration": 1.4}
 
@@ -73,7 +72,7 @@ ROWS = {  # name: settings; the first is what all others change
     "sealed, alpha 0.5": {**SEALED, **adhesion(0.5)},
     "sealed, alpha 1": {**SEALED, **adhesion(1)},
     "G/s_u 200": elasticity(0.059),
-    "alpha 1": {**adhesion(1), **WATER},
+    "alpha 1": adhesion(1),
     "G/s_u 50": elasticity(0.359),
     "K0 1": at_rest(1.0),
     "OCR 4": {START + "overconsolidation ratio": 4},
@@ -94,7 +93,7 @@ ROWS = {  # name: settings; the first is what all others change
     "cone 90 degrees": {CONTOUR + "apex angle [deg]": 90, **u2_at(0.0262)},
     "G/s_u 100": elasticity(0.242),
     "OCR 2": {START + "overconsolidation ratio": 2},
-    "alpha 0.5": {**adhesion(0.5), **WATER},
+    "alpha 0.5": adhesion(0.5),
     "OCR 8": {START + "overconsolidation ratio": 8},
     "sides of 1.1 mm": sides(0.0011),
     "penalty / 3": {CONTACT + "penalty": 1e9},

@@ -228,6 +228,7 @@ void Assembler::find_entries() {
 void Assembler::begin(Kokkos::View<const char*> constrained) {
   if (matrix_.is_null()) throw std::logic_error("assembly begun before the sparsity was built");
   constrained_ = constrained;
+  left_out_ = {};
   matrix_->beginAssembly();
   matrix_->setAllToScalar(0);
 }
@@ -238,7 +239,8 @@ MatrixScatter Assembler::scatter(int group) const {
           entries_[group].positions,
           entries_[group].places,
           groups_[group],
-          constrained_};
+          constrained_,
+          left_out_};
 }
 
 void Assembler::end() {

@@ -44,12 +44,14 @@ struct MatrixScatter {
   Kokkos::View<const Place*> places;  // by column of `dofs`
   ElementDofs dofs;
   Kokkos::View<const char*> constrained;                 // by overlap dof
+  Kokkos::View<const char*> left_out;                    // by overlap dof: rows that get nothing; empty: none
   ElementBuffer buffer = {};                             // for loops on several threads
   Kokkos::View<Span**, Kokkos::LayoutRight> spans = {};  // (element of the batch, row)
 
   /// Adds the entry (a, b) of element e's matrix. From one thread only.
   KOKKOS_INLINE_FUNCTION void add(int e, int a, int b, double value) const {
     const int row = dofs(e, a);
+    if (leaves_out(row)) return;
     if (a != b && (constrained(row) || constrained(dofs(e, b)))) return;
     const std::size_t first = row_begin(row) + positions(e, places(a).node, places(b).node);
     values(first + places(b).component) += value;
@@ -85,6 +87,7 @@ struct MatrixScatter {
     const int i = entry / static_cast<int>(dofs.extent(1)), a = entry % static_cast<int>(dofs.extent(1));
     const int e = buffer.first + i;
     const Span span = spans(i, a);
+    if (leaves_out(row)) return;
     const bool fixed_row = constrained(row);
     double* const entries = &values(row_begin(row));
     for (int b = span.first; b < span.first + span.count; ++b) {
@@ -94,6 +97,7 @@ struct MatrixScatter {
   }
 
  private:
+  KOKKOS_INLINE_FUNCTION bool leaves_out(int row) const { return left_out.extent(0) > 0 && left_out(row); }
   /// Adds k of any size: (row, column), row after row. It is called, not inlined, because many loops use it.
   [[gnu::noinline]] KOKKOS_FUNCTION void add(int e, int row0, int rows, int column0, int columns, const double* k,
                                              double weight) const {
@@ -111,6 +115,7 @@ struct MatrixScatter {
           position[c] = positions(e, at, place.node) + place.component;
         }
       }
+      if (leaves_out(row)) continue;
       const bool fixed_row = constrained(row);
       double* const entries = &values(row_begin(row));
       for (int c = 0; c < columns; ++c) {
@@ -141,6 +146,8 @@ class Assembler {
 
   /// Zeroes the matrix and opens it for scatter. `constrained` is by overlap dof and must agree across ranks.
   void begin(Kokkos::View<const char*> constrained);
+  /// From now on, until begin(), nothing is added to these rows, by overlap dof.
+  void leave_out(Kokkos::View<const char*> rows) { left_out_ = rows; }
   MatrixScatter scatter(int group) const;
   /// Exports shared rows; afterwards matrix() is complete. A zero diagonal of a constrained dof becomes 1. Collective.
   /// Every MatrixScatter must be out of scope.
@@ -162,7 +169,7 @@ class Assembler {
   std::vector<Entries> entries_;
   Kokkos::View<const std::size_t*> row_begin_;
   RCP<FEMatrix> matrix_;
-  Kokkos::View<const char*> constrained_;
+  Kokkos::View<const char*> constrained_, left_out_;
 };
 
 }  // namespace mudline

@@ -31,7 +31,7 @@ void check_contradictions(const Model& model, const Section& deck) {
         Constraints mine(n);
         model.conditions()[c]->prescribe(t_old, t_end, model.store().committed(), mine);
         for (int i = 0; i < n; ++i) {
-          if (!mine.mask(i)) continue;
+          if (!mine.given(i)) continue;
           const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
           if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
             char text[160];
@@ -226,7 +226,7 @@ void check_suction(const Model& model, const Section& deck) {
     std::string problem;
     double most = limit;
     for (int node = 0; node < model.mesh().num_nodes(); ++node) {
-      if (dof(node) < 0 || !held.mask(dof(node)) || !saturated[node]) continue;
+      if (dof(node) < 0 || !held.given(dof(node)) || !saturated[node]) continue;
       const double before = state.value(dof(node)), given = held.value(dof(node));
       if (before > -limit || given - before <= most) continue;
       most = given - before;

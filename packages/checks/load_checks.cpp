@@ -295,7 +295,7 @@ void drawdown(const Setup& setup, const Judge& judge) {
     condition->prescribe(begin, begin + 1e-6 * first->duration, state, held);
     double most = 0;
     for (int node = 0; node < setup.mesh().num_nodes(); ++node)
-      if (dof(node) >= 0 && held.mask(dof(node)))
+      if (dof(node) >= 0 && held.given(dof(node)))
         most = std::max(most, std::abs(held.value(dof(node)) - state.value(dof(node))));
     most = max_over_ranks(*setup.mesh().comm(), most);
     if (most > 0)
@@ -314,7 +314,7 @@ int drained_nodes(const Setup& setup, const Stage& stage, double begin) {
   const auto& dof = setup.model().soil()->space->node_dof(setup.model().soil()->pressure);
   int count = 0;
   for (int node = 0; node < setup.mesh().num_owned_nodes(); ++node)
-    if (dof(node) >= 0 && held.mask(dof(node))) ++count;
+    if (dof(node) >= 0 && held.given(dof(node))) ++count;
   return sum_over_ranks(*setup.mesh().comm(), count);
 }
 

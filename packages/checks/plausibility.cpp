@@ -364,7 +364,7 @@ double Plausibility::pressure_time(const Section& deck, std::size_t number) cons
       Point middle{};
       for (int c = 0; c < corners; ++c) {
         const int node = block.nodes(side.element, local[c]);
-        drained = drained && held.mask(space.node_dof(p)(node));
+        drained = drained && held.given(space.node_dof(p)(node));
         for (int i = 0; i < 3; ++i) middle[i] += model_.mesh().place(node)[i] / corners;
       }
       if (drained && load.sudden(stage.control.initial, middle)) beside.insert({side.block, side.element});

@@ -33,8 +33,6 @@ struct ContactContext {
   /// Undrained strength [Pa] of the soil in an element of a block in a state, at a point on its surface; not a number
   /// where the law of the soil there has none; absent: no soil has one.
   std::function<double(const State& state, int block, int element, const Point& at)> undrained_strength = {};
-  /// Coefficient of consolidation c_v [m2/s] of the soil in an element; absent: it is not known, and soil drains.
-  std::function<double(int block, int element)> consolidation = {};
   /// The mesh is the result of remeshing: its surface is where the bodies have left it, not where they start.
   bool remeshed = false;
 };

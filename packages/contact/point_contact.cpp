@@ -32,8 +32,6 @@ void PointContact::make_points(const std::string& surface, SideRule::At kind, in
   set_ = surface;
   if (parts_.drainage.has_film()) laws_.ask_for_pore_pressure();
   surface_ = std::make_unique<ContactSurface>(context_.space.mesh(), surface);
-  if (parts_.drainage.sealing_rim() > 0 && context_.consolidation && laws_.pressure() >= 0)
-    rim_ = std::make_unique<SealingRim>(*surface_, parts_.drainage.sealing_rim(), context_.consolidation);
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
@@ -441,12 +439,12 @@ std::vector<char> PointContact::covered_sides(const State& committed) const {
   return flags;
 }
 
-void PointContact::close(const State& committed, double dt, ClosedSides& closed) const {
+void PointContact::close(const State& committed, ClosedSides& closed) const {
   if (!parts_.drainage.closes() || laws_.pressure() < 0) return;
   closed.possible = true;
+  if (parts_.drainage.seals()) closed.may_be_sealed.insert(set_);
   const std::vector<Side>& set = surface_->mesh().side_sets().at(set_);
   std::vector<char> flags = covered_sides(committed);
-  if (rim_) flags = rim_->around(flags, committed.coordinates, dt);
   for (std::size_t s = 0; s < set.size(); ++s)
     if (flags[s]) closed.sides.insert({set[s].block, set[s].element, set[s].side});
 }

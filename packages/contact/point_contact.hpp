@@ -14,7 +14,6 @@
 #include "contact/parts/drainage.hpp"
 #include "contact/parts/initial_gap.hpp"
 #include "contact/parts/leaky_surface.hpp"
-#include "contact/parts/sealing_rim.hpp"
 #include "contact/point_rows.hpp"
 #include "contact/target.hpp"
 #include "contact/uzawa.hpp"
@@ -63,7 +62,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
-  void close(const State& committed, double dt, ClosedSides& closed) const override;
+  void close(const State& committed, ClosedSides& closed) const override;
   void first_act(State& committed) override;
   Augmentation augment(const StepView& view, int count) override;
   std::vector<double> nodal_pressure(const State& state) const override;
@@ -120,7 +119,6 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   std::string name_;
   int displacement_ = -1, temperature_ = -1;  // fields
   std::unique_ptr<ContactSurface> surface_;
-  std::unique_ptr<const SealingRim> rim_;        // null unless sealed with a rim
   std::unique_ptr<LeakySurface> leak_;           // null unless leaky
   std::map<CellShape, ContactRule> rules_;       // of the sides
   std::vector<int> first_row_;                   // (side) one more: number of rows

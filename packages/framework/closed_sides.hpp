@@ -2,6 +2,7 @@
 
 #include <array>
 #include <set>
+#include <string>
 
 #include "framework/state.hpp"
 
@@ -11,6 +12,7 @@ namespace mudline {
 /// them.
 struct ClosedSides {
   bool possible = false;               // something may close sides in this step; the same on every rank
+  std::set<std::string> may_be_sealed; // side sets that something may seal in this step; the same on every rank
   std::set<std::array<int, 3>> sides;  // (block, element, side) of this rank
 };
 
@@ -18,8 +20,8 @@ struct ClosedSides {
 class ClosesSides {
  public:
   virtual ~ClosesSides() = default;
-  /// Adds the sides that are closed in a step of `dt` [s] from the committed state.
-  virtual void close(const State& committed, double dt, ClosedSides& closed) const = 0;
+  /// Adds the sides that are closed in a step from the committed state.
+  virtual void close(const State& committed, ClosedSides& closed) const = 0;
 };
 
 /// A condition that applies on open sides only.

@@ -49,6 +49,10 @@ struct ElementLoop {
     double x[NU][D], moved[NU][D];  // [m] position at the level; displacement in the step, without rounding of x
     double rate[NU][D], acceleration[NU][D];
     double value[SQ][NQ], change[SQ][NQ], scalar_rate[SQ][NQ];
+    // Water flows as if an open vertex had the pressure outside, so that its own pressure drives no flow, and what flows
+    // into it passes.
+    double driving[SQ][NQ];
+    bool open[SQ][NQ];
   };
   /// The shapes at one point.
   struct Shape {
@@ -75,6 +79,8 @@ struct ElementLoop {
         const int dof = b.dofs(e, MU + s * NS + c);
         n.value[s][c] = at.value(dof);
         n.change[s][c] = at.value(dof) - at.value_old(dof);
+        n.open[s][c] = at.open.extent(0) > 0 && at.open(dof);
+        n.driving[s][c] = n.open[s][c] ? at.outside(dof) : n.value[s][c];
         if constexpr (Rates) n.scalar_rate[s][c] = at.rate(dof);
       }
   }
@@ -140,7 +146,7 @@ struct ElementLoop {
         f.change[k] += s.Np[c] * n.change[k][c];
         if constexpr (Rates) f.rate[k] += s.Np[c] * n.scalar_rate[k][c];
         if constexpr (Gradients)
-          for (int j = 0; j < D; ++j) f.gradient[k][j] += s.gp[c][j] * n.value[k][c];
+          for (int j = 0; j < D; ++j) f.gradient[k][j] += s.gp[c][j] * n.driving[k][c];
       }
     }
     return true;
@@ -226,6 +232,10 @@ struct ElementLoop {
     if constexpr (Law::storages || Law::fluxes)
       for (int k = 0; k < S; ++k)
         for (int c = 0; c < NS; ++c) {
+          if (n.open[k][c]) {
+            to.pass(e, MU + k * NS + c, flown[k][c]);
+            flown[k][c] = 0;
+          }
           const double sum = stored[k][c] + flown[k][c];
           to.add(e, MU + k * NS + c, sum, std::abs(stored[k][c]) + std::abs(flown[k][c]),
                  std::abs(sum) + cancelled[k][c]);
@@ -250,7 +260,7 @@ struct ElementLoop {
 
   /// Converts derivative indices to the nodes' unknowns: (row, column).
   template <class Law>
-  KOKKOS_INLINE_FUNCTION static void to_unknowns(const Shape& s,
+  KOKKOS_INLINE_FUNCTION static void to_unknowns(const Nodes& n, const Shape& s,
                                                  const double (&A)[Rows<Law>::count][Directions<Law>::count],
                                                  double (&Y)[Rows<Law>::count][Columns<Law>::count]) {
     using Index = Directions<Law>;
@@ -276,7 +286,8 @@ struct ElementLoop {
             double sum = 0;
             if constexpr (Law::scalars) sum += A[row][Index::value + k] * s.Np[c];
             if constexpr (Law::gradients)
-              for (int m = 0; m < D; ++m) sum += A[row][Index::gradient + D * k + m] * s.gp[c][m];
+              for (int m = 0; m < D && !n.open[k][c]; ++m)
+                sum += A[row][Index::gradient + D * k + m] * s.gp[c][m];
             *y++ = sum;
           }
     }
@@ -284,7 +295,8 @@ struct ElementLoop {
 
   /// Adds a point's rows to the rows of the element by the test functions' values and gradients.
   template <class Law>
-  KOKKOS_INLINE_FUNCTION static void spread(const Shape& s, const double (&Y)[Rows<Law>::count][Columns<Law>::count],
+  KOKKOS_INLINE_FUNCTION static void spread(const Nodes& n, const Shape& s,
+                                            const double (&Y)[Rows<Law>::count][Columns<Law>::count],
                                             double (&ku)[D * NU][Columns<Law>::count],
                                             double (&kp)[SQ * NQ][Columns<Law>::count]) {
     using Row = Rows<Law>;
@@ -307,12 +319,13 @@ struct ElementLoop {
     if constexpr (Law::storages || Law::fluxes)
       for (int k = 0; k < S; ++k)
         for (int r = 0; r < NS; ++r) {
+          const double inner = n.open[k][r] ? 0.0 : 1.0;
           MUDLINE_VECTOR_LOOP
           for (int c = 0; c < width; ++c) {
             double sum = kp[NS * k + r][c];
             if constexpr (Law::storages) sum += s.Np[r] * Y[Row::storage + k][c];
             if constexpr (Law::fluxes)
-              for (int l = 0; l < D; ++l) sum += s.gp[r][l] * Y[Row::flux + D * k + l][c];
+              for (int l = 0; l < D; ++l) sum += inner * s.gp[r][l] * Y[Row::flux + D * k + l][c];
             kp[NS * k + r][c] = sum;
           }
         }
@@ -340,14 +353,14 @@ struct ElementLoop {
         if (b.dilatation_terms > 0 && !fitted.template replace<Law::rates>(n, s, f)) return;
       double A[Rows<Law>::count][Directions<Law>::count], Y[Rows<Law>::count][width];
       PointTangent<Coordinates, S, Law>{at}(e * b.points + q, law, s.dv, f, A);
-      to_unknowns<Law>(s, A, Y);
+      to_unknowns<Law>(n, s, A, Y);
       if constexpr (may)
         if (b.dilatation_terms > 0) {
           Balance out;
           law(e * b.points + q, f, out);
           fitted.template follow<Rows<Law>>(n, s, out, at.geometry_weight, A, Y);
         }
-      spread<Law>(s, Y, ku, kp);
+      spread<Law>(n, s, Y, ku, kp);
     }
     if constexpr (Law::forces || Law::stresses) to.add(e, 0, first, ku, weight);
     if constexpr (Law::storages || Law::fluxes) to.add(e, MU, first, kp, weight);

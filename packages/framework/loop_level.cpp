@@ -15,6 +15,8 @@ LoopLevel loop_level(const StepView& view, const Level& level, const FieldBlock&
   at.value = view.value;
   at.rate = view.rate;
   at.acceleration = view.acceleration;
+  at.open = view.open;
+  at.outside = view.outside;
   at.geometry_weight = level.geometry_weight;
   if (block.moves()) at.displacement = view.sensitivity[block.displacement];
   for (int s = 0; s < block.scalars; ++s) at.scalar[s] = view.sensitivity[block.scalar[s]];

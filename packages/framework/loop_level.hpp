@@ -10,6 +10,8 @@ struct LoopLevel {
   ConstCoordinateView x;                // [m]
   ConstNodalView value_old, value_end;  // of the step; coordinates move by geometry_weight times their difference
   ConstNodalView value, rate, acceleration;
+  Kokkos::View<const char*> open;  // see StepView; empty: no unknown is open
+  ConstNodalView outside;
   double geometry_weight = 0;  // d x / d u_{n+1}
   Sensitivity displacement, scalar[max_scalars];
 

@@ -56,6 +56,10 @@ struct StepView {
   bool inertia;                           // false in quasi-static and geostatic stages
   bool flow;                              // false in a geostatic stage: storage and rates are off
   Kokkos::View<const char*> constrained;  // prescribed unknowns of the step, by overlap dof
+  /// Pore pressures at a boundary that is open to water, by overlap dof, and the pressure of that water at the balance
+  /// level [Pa].
+  Kokkos::View<const char*> open;
+  ConstNodalView outside;
   const State* committed;
   State* trial;  // history terms write their part, completely
 };
@@ -63,14 +67,16 @@ struct StepView {
 /// Receives the contributions of a term to the residual, by overlap dof; exported (summed) over ranks by the caller.
 /// Beside their sum it keeps their sizes before they cancel, against which the integrator measures convergence:
 /// `acting` holds what acts in the step (rates, inertia, contact, and the change over the step of lasting stresses and
-/// loads), and `whole` holds everything, whose rounding no iteration can remove.
+/// loads), and `whole` holds everything, whose rounding no iteration can remove. `passing` is the flow that passes
+/// through open unknowns.
 struct ResidualView {
-  NodalView sum, acting, whole;
+  NodalView sum, acting, whole, passing;
 
   ResidualView() = default;
   /// Keeps the sums only.
   ResidualView(const NodalView& to) : sum(to) {}
-  ResidualView(const NodalView& to, const NodalView& acts, const NodalView& all) : sum(to), acting(acts), whole(all) {}
+  ResidualView(const NodalView& to, const NodalView& acts, const NodalView& all, const NodalView& passes = {})
+      : sum(to), acting(acts), whole(all), passing(passes) {}
 
   /// Adds a contribution all of which acts in the step. All add() are for one thread only; loops use a VectorScatter.
   KOKKOS_INLINE_FUNCTION void add(int dof, double value) const { add(dof, value, value); }
@@ -84,6 +90,10 @@ struct ResidualView {
     if (acting.extent(0) == 0) return;
     acting(dof) += acts;
     cancelled(dof, all);
+  }
+  /// Adds a flow out of the inside that passes through an open unknown.
+  KOKKOS_INLINE_FUNCTION void pass(int dof, double flow) const {
+    if (passing.extent(0) > 0) passing(dof) += flow;
   }
   /// Adds the size, in units of the residual, of numbers that cancelled before a contribution was formed. Example: a
   /// gap is the difference of two positions, so a spring of stiffness k at the position x has a rounding error of the
@@ -121,5 +131,8 @@ class Term {
   /// Adds weight * dR/dx at the linearisation point of the last residual call.
   virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
 };
+
+/// Whether a term exchanges scalar fluxes at the boundary.
+inline bool exchanges(const Term& term) { return term.role() == Role::exchange || term.role() == Role::contact; }
 
 }  // namespace mudline

@@ -74,13 +74,25 @@ void hold(const Constraints& constraints, const NodalView& values, int begin, in
       "hold", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) { to.prescribe(i, from(i)); });
 }
 
-/// Moves the forces at prescribed unknowns from the total to the reactions.
-void split_reactions(const Constraints& constraints, const NodalView& total, const NodalView& reaction) {
+/// Moves the forces at prescribed unknowns from the total to the reactions; that of an open one is the flow that passes.
+void split_reactions(const Constraints& constraints, const NodalView& passing, const NodalView& total,
+                     const NodalView& reaction) {
   const Kokkos::View<char*> prescribed = constraints.mask;
   Kokkos::parallel_for(
       "reactions", Kokkos::RangePolicy<>(0, total.extent(0)), KOKKOS_LAMBDA(int i) {
-        reaction(i) = prescribed(i) ? total(i) : 0.0;
+        reaction(i) = prescribed(i) ? total(i) : passing(i);
         if (prescribed(i)) total(i) = 0;
+      });
+}
+
+/// What is exchanged at the boundary with an open unknown passes through it.
+void pass_on(const Constraints& constraints, const NodalView& force, const NodalView& total, const NodalView& passing) {
+  const Kokkos::View<char*> open = constraints.open;
+  Kokkos::parallel_for(
+      "pass on", Kokkos::RangePolicy<>(0, total.extent(0)), KOKKOS_LAMBDA(int i) {
+        if (!open(i)) return;
+        total(i) -= force(i);
+        passing(i) += force(i);
       });
 }
 
@@ -108,10 +120,12 @@ StepSystem::StepSystem(const Space& space, StateStore& store, std::vector<Term*>
   store_.allocate_history(slots);
   assembler_.finalise();
   const int n = space.dofs()->num_overlap_dofs();
-  for (NodalView* v : {&reaction_, &total_, &acting_, &whole_}) *v = NodalView("sum of forces", n);
+  for (NodalView* v : {&reaction_, &total_, &acting_, &whole_, &passing_, &outside_}) *v = NodalView("sum of forces", n);
   constraints_ = Constraints(n);
   convergence_.declare_state();
   view_.constrained = constraints_.mask;
+  view_.open = constraints_.open;
+  view_.outside = outside_;
   view_.sensitivity.resize(space.num_fields());
   activate(terms_);
 }
@@ -210,6 +224,7 @@ void StepSystem::levels(const Vector& x) {
 void StepSystem::constrain(const StepRequest& request) {
   Kokkos::deep_copy(constraints_.mask, char(0));
   Kokkos::deep_copy(constraints_.moves, char(0));
+  Kokkos::deep_copy(constraints_.open, char(0));
   Kokkos::deep_copy(constraints_.value, store_.committed().value);
   request.prescribe(view_.time_old, view_.time_end, store_.committed(), constraints_);
   if (!scheme_.flow)  // geostatic: fields of first order stay as they are
@@ -217,6 +232,18 @@ void StepSystem::constrain(const StepRequest& request) {
       if (space_.field(f).time_order == 1)
         for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
           hold(constraints_, store_.committed().value, begin, end);
+  find_outside(request);
+}
+
+void StepSystem::find_outside(const StepRequest& request) {
+  const double weight = scheme_.incremental ? scheme_.theta : scheme_.flow_alpha_f;  // of the end at the balance level
+  Constraints before(static_cast<int>(total_.extent(0)));
+  if (weight < 1) request.prescribe(view_.time_old, view_.time_old, store_.committed(), before);
+  for (std::size_t i = 0; i < outside_.extent(0); ++i) {
+    if (constraints_.mask(i)) constraints_.open(i) = 0;
+    outside_(i) = constraints_.value(i);
+    if (constraints_.open(i) && before.open(i)) outside_(i) += (1 - weight) * (before.value(i) - constraints_.value(i));
+  }
 }
 
 int StepSystem::history_slot(int k) const {
@@ -240,13 +267,13 @@ int StepSystem::evaluate_term(Term& term, const NodalView& force, const Residual
 }
 
 int StepSystem::evaluate_terms() {
-  for (const NodalView& sizes : {total_, acting_, whole_}) Kokkos::deep_copy(sizes, 0.0);
+  for (const NodalView& sizes : {total_, acting_, whole_, passing_}) Kokkos::deep_copy(sizes, 0.0);
   int failures = 0;
   failure_.clear();
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const NodalView force = force_[k];
     Kokkos::deep_copy(force, 0.0);
-    const ResidualView to(force, acting_, whole_);
+    const ResidualView to(force, acting_, whole_, passing_);
     failures += evaluate_term(*active_[k], force, to);
     const int slot = history_slot(static_cast<int>(k));
     if (slot >= 0) {
@@ -256,6 +283,7 @@ int StepSystem::evaluate_terms() {
       history_[slot]->correction(view_, to);
     }
     KokkosBlas::axpy(1.0, force, total_);
+    if (exchanges(*active_[k])) pass_on(constraints_, force, total_, passing_);
   }
   return failures;
 }
@@ -290,7 +318,7 @@ bool StepSystem::evaluate(const Vector& x, bool jacobian_follows, Vector& f) {
                broadcast(*space_.dofs()->comm(), failure_);
     return false;
   }
-  split_reactions(constraints_, total_, reaction_);
+  split_reactions(constraints_, passing_, total_, reaction_);
   export_overlap(*space_.dofs(), total_, f);
   convergence_.measure(acting_, whole_);
   Tpetra::deep_copy(evaluated_, x);
@@ -304,6 +332,7 @@ bool StepSystem::add_matrices() {
   std::string problem;
   for (std::size_t k = 0; k < active_.size(); ++k) {
     try {
+      assembler_.leave_out(exchanges(*active_[k]) ? view_.open : Kokkos::View<const char*>());
       active_[k]->jacobian(view_, assembler_, history_slot(static_cast<int>(k)) >= 0 ? view_.end_weight : 1.0);
     } catch (...) {
       if (problem.empty()) problem = "the Jacobian of " + active_[k]->name() + ": " + fault_thrown();
@@ -321,6 +350,7 @@ void StepSystem::check_chord() {
   std::vector<double> key{view_.dt, t.inertia ? 1.0 : 0.0,     t.flow ? 1.0 : 0.0, t.alpha_m,      t.alpha_f, t.beta,
                           t.gamma,  t.incremental ? 1.0 : 0.0, t.flow_alpha_m,     t.flow_alpha_f, t.theta};
   key.insert(key.end(), constraints_.mask.data(), constraints_.mask.data() + constraints_.mask.extent(0));
+  key.insert(key.end(), constraints_.open.data(), constraints_.open.data() + constraints_.open.extent(0));
   if (sum_over_ranks(*space_.dofs()->comm(), chord_.belongs_to(key) ? 0 : 1) > 0) chord_.forget();
   chord_.start_step(key);
 }

@@ -127,6 +127,7 @@ class StepSystem : public NonlinearProblem {
   void prepare_view(const StepRequest& request, StepView::Kind kind);
   void set_sensitivities();
   void constrain(const StepRequest& request);
+  void find_outside(const StepRequest& request);
   /// Fills the level views and the trial's nodal part from x.
   void levels(const Vector& x);
   /// Sets all levels to the committed state, with zero accelerations and first-order rates; sensitivities are to these
@@ -161,7 +162,8 @@ class StepSystem : public NonlinearProblem {
   Constraints constraints_;
   Convergence convergence_;
   Levels levels_;
-  NodalView reaction_, total_, acting_, whole_;
+  NodalView reaction_, total_, acting_, whole_, passing_;
+  NodalView outside_;  // pressure of the water outside at the balance level
   std::vector<NodalView> force_;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;

@@ -186,6 +186,15 @@ std::shared_ptr<std::vector<FieldBlock>> Soil::blocks_with(int field) const {
   return result;
 }
 
+void Soil::choose_strain(bool slides) {
+  const auto hardens = [this](int k) { return materials[k]->skeleton->hardens_with_volume(); };
+  const bool all = saturated_strain == SaturatedStrain::water_balance;
+  const bool some = saturated_strain == SaturatedStrain::hardening ||
+                    (saturated_strain == SaturatedStrain::automatic && slides);
+  for (SoilBlock& b : blocks)
+    b.sees_water = !b.dries && (all || (some && std::any_of(b.made_of.begin(), b.made_of.end(), hardens)));
+}
+
 void Soil::declare_state(StateStore& store) {
   for (SoilBlock& b : blocks) {
     const std::string prefix = space->mesh().blocks()[b.block].region + "/";

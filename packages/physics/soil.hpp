@@ -84,6 +84,11 @@ struct SoilBlock : FieldBlock {
   FieldBlock mass;  // the same elements with enough points for a mass matrix of full rank
 };
 
+/// The volume strain that the laws of saturated soil see: that of each point, or that of the water (WaterDilatation)
+/// for all laws or for those that harden with their volume. Automatic: hardening where soil slides along something,
+/// at points elsewhere.
+enum class SaturatedStrain { automatic, at_points, water_balance, hardening };
+
 /// All soil of a model.
 struct Soil {
   const Space* space = nullptr;
@@ -147,6 +152,9 @@ struct Soil {
   /// The same elements and points, block by block, with the pore pressure and another scalar field: for the balance of
   /// something in the pore water.
   std::shared_ptr<std::vector<FieldBlock>> blocks_with(int field) const;
+  SaturatedStrain saturated_strain = SaturatedStrain::at_points;
+  /// Chooses the volume strain that the laws of each block see. slides: whether a contact has friction.
+  void choose_strain(bool slides);
   void declare_state(StateStore& store);
   void sparsity(Assembler& assembler);
 };
@@ -156,9 +164,6 @@ struct Soil {
 /// soil keeps its volume. It is for laws with Skeleton::volume_apart, and for all cells but tri3 and tet4. Automatic:
 /// fitted in quad4, hex8 and wedge6 with such a law.
 enum class VolumeStrain { automatic, fitted, at_points };
-/// The volume strain that the laws of saturated soil see: that of each point, or that of the water (WaterDilatation)
-/// for all laws or for those that harden with their volume.
-enum class SaturatedStrain { at_points, water_balance, hardening };
 
 /// Pairs every element block with the materials that name its region. `scalars`: the fields beside the displacement:
 /// none, the pore pressure, or pore pressure and temperature. InputError when no material names a region, when several

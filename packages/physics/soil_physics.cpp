@@ -5,6 +5,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "physics/biot/block_data.hpp"
+#include "physics/biot/open_boundary.hpp"
 #include "physics/soil_points.hpp"
 #include "physics/solid/inertia.hpp"
 #include "physics/solid/rayleigh_damping.hpp"
@@ -20,7 +21,8 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   context.shared.offer(soil_);
   if (volume_strain_ == VolumeStrain::fitted) require_fit(section);
   soil_->excess = excess_;
-  for (SoilBlock& b : soil_->blocks) b.sees_water = porous() && sees_water(b);
+  soil_->saturated_strain = porous() ? saturated_strain_ : SaturatedStrain::at_points;
+  soil_->choose_strain(false);
   soil_->gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   soil_->up = gravity_.up(context.space.mesh().dimension());
   soil_->place_materials(context.materials_section);
@@ -33,6 +35,7 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   context.terms.push_back(inertia(soil_));
   context.terms.push_back(weight(soil_, gravity_));
   add_terms(context);
+  if (porous()) context.terms.push_back(std::make_unique<OpenBoundary>(soil_));
   if (mass_damping_ > 0 || stiffness_damping_ > 0)
     context.terms.push_back(rayleigh_damping(soil_, mass_damping_, stiffness_damping_));
   context.block_data = [soil = soil_](const StepView& view) { return soil_block_data(*soil, view, view.constrained); };
@@ -41,13 +44,6 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
 void SoilPhysics::initialise(StateStore& store, const Section& section) {
   initial_.apply(*soil_, store, gravity_, section.section("initial state"));
   if (!porous()) warn_of_locking(store.committed());
-}
-
-bool SoilPhysics::sees_water(const SoilBlock& block) const {
-  const auto hardens = [this](int k) { return soil_->materials[k]->skeleton->hardens_with_volume(); };
-  if (block.dries || saturated_strain_ == SaturatedStrain::at_points) return false;
-  return saturated_strain_ == SaturatedStrain::water_balance ||
-         std::any_of(block.made_of.begin(), block.made_of.end(), hardens);
 }
 
 void SoilPhysics::require_fit(const Section& section) const {
@@ -89,13 +85,14 @@ void SoilPhysics::pore_water_parameters(Parameters& p) {
   excess_ = counted == Counted::excess;
   p.choice(
       "volume strain", saturated_strain_,
-      {{"at points", SaturatedStrain::at_points},
+      {{"automatic", SaturatedStrain::automatic},
+       {"at points", SaturatedStrain::at_points},
        {"water balance", SaturatedStrain::water_balance},
        {"hardening", SaturatedStrain::hardening}},
       "the volume strain that the laws see at the end of a step. at points: that of each point's motion; water "
       "balance: where the soil cannot drain within the step, that which the balance of the water resolves, which is "
-      "more exact beside rough walls and keeps grains less exactly; hardening: the same for laws that harden with "
-      "their volume only (modified cam clay, s-clay1s, hypoplasticity)");
+      "more exact beside rough walls; hardening: the same for laws that harden with their volume only (modified cam "
+      "clay, s-clay1s, hypoplasticity); automatic: hardening if a contact has friction, else at points");
 }
 
 void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& section, const std::string& otherwise) {

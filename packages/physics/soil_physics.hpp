@@ -30,13 +30,11 @@ class SoilPhysics : public Physics {
   std::shared_ptr<Soil> soil_;
   Gravity gravity_;
   bool excess_ = false;
-  SaturatedStrain saturated_strain_ = SaturatedStrain::at_points;
+  SaturatedStrain saturated_strain_ = SaturatedStrain::automatic;
   VolumeStrain volume_strain_ = VolumeStrain::at_points;
 
  private:
   bool porous() const { return !scalar_fields().empty(); }
-  /// Whether the laws of a block of saturated soil see the volume strain of the water.
-  bool sees_water(const SoilBlock& block) const;
   void warn_of_locking(const State& state) const;
   /// InputError where the fitted volume strain has no effect, or the law does not suit it.
   void require_fit(const Section& section) const;

@@ -15,8 +15,6 @@ bool does_work(const Term& term) {
 }
 
 /// Whether the term adds to a scalar's balance from outside.
-bool exchanges(const Term& term) { return term.role() == Role::exchange || term.role() == Role::contact; }
-
 }  // namespace
 
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {

@@ -204,23 +204,12 @@ BlockData Model::block_data(const StepView& view) const {
   return data;
 }
 
-template <class Number>
-double Model::mean_over_points(int block, int element, const Number& number) const {
+double Model::constrained_modulus(int block, int element) const {
   const SoilBlock& b = soil_->blocks[block];
   const SoilPoints points(*soil_, b, store_->committed());
   double sum = 0;
-  for (int q = 0; q < b.points; ++q) sum += number(points, element * b.points + q) / b.points;
+  for (int q = 0; q < b.points; ++q) sum += points.constrained_modulus(element * b.points + q) / b.points;
   return sum;
-}
-
-double Model::constrained_modulus(int block, int element) const {
-  return mean_over_points(block, element,
-                          [](const SoilPoints& points, int row) { return points.constrained_modulus(row); });
-}
-
-double Model::consolidation(int block, int element) const {
-  return mean_over_points(block, element,
-                          [](const SoilPoints& points, int row) { return points.figures(row).consolidation; });
 }
 
 void Model::read_contacts(const Section& deck, const Registries& registries) {
@@ -239,11 +228,12 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
                                  [this](const State& state, int block, int element, const Point& at) {
                                    return undrained_strength(*soil_, state, block, element, at);
                                  },
-                                 [this](int block, int element) { return consolidation(block, element); },
                                  remeshed_ != nullptr};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
     if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);
   }
+  const auto rough = [](const auto& contact) { return contact.second->partners().shear; };
+  if (soil_) soil_->choose_strain(std::any_of(contacts_.begin(), contacts_.end(), rough));
 }
 
 void Model::read_mesh_motion(const Section& deck, const Registries& registries) {
@@ -421,13 +411,13 @@ void Model::prescribe(const Stage& stage, double t_old, double t_end, const Stat
   // without flow the pore pressure is prescribed everywhere, and closed sides release nothing
   if (stage.type != Stage::Type::geostatic)
     for (const auto& [name, contact] : sealing_)
-      if (named(stage.contacts, name)) contact->close(committed, t_end - t_old, closed);
+      if (named(stage.contacts, name)) contact->close(committed, closed);
   for (HoldsOnOpenSides* condition : on_open_sides_) condition->set_closed(closed);
   for (const auto& condition : conditions_) {
     if (!named(stage.conditions, condition->name)) continue;
     condition->prescribe(t_old, t_end, committed, to);
     for (std::size_t i = 0; i < to.mask.extent(0); ++i)
-      if (to.mask(i) && !std::isfinite(to.value(i)))
+      if (to.given(i) && !std::isfinite(to.value(i)))
         throw std::runtime_error("boundary condition '" + condition->name +
                                  "' prescribes a value that is not finite at t = " + number_text(t_end) + " s");
   }

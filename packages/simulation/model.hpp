@@ -65,17 +65,12 @@ class Model {
   const std::vector<int>& released_before() const { return released_before_; }
   /// Drained constrained modulus of an element of soil [Pa], the mean over its points in the committed state.
   double constrained_modulus(int block, int element) const;
-  /// Mean coefficient of consolidation c_v [m2/s] of an element; 0 without pore water.
-  double consolidation(int block, int element) const;
   /// The motion of a body in a stage; null: it rests.
   std::shared_ptr<const BodyMotion> motion_in(const Stage& stage, const std::string& body) const;
   /// Adds the prescribed unknowns of a stage for a step from `t_old` to `t_end` [s].
   void prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const;
 
  private:
-  /// Mean of number(points of the committed state, row) over the points of an element of soil.
-  template <class Number>
-  double mean_over_points(int block, int element, const Number& number) const;
   void read_mesh(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin);
   /// Sets the state at the start of a run.
   void initialise(const Section& deck);

@@ -16,10 +16,6 @@ void Drainage::parameters(Parameters& p) {
         "Leaky: water pressure beyond what it touches, a function of time and place");
   p.add("sealing gap", sealing_gap_, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the side is still sealed");
-  p.add(
-      "sealing rim", sealing_rim_, "-", closed(0, 100),
-      "Sealed: number of sides beside a sealed one that are sealed with it, in steps in which their soil cannot drain: "
-      "shorter than h^2/(6 c_v), with the side's length h");
 }
 
 void Drainage::check(const Section& section, bool pore_pressure) const {
@@ -28,11 +24,8 @@ void Drainage::check(const Section& section, bool pore_pressure) const {
     WaterFilm::refuse(section);
   else if (!pore_pressure)
     section.fail(std::string("film") + needs_field, "drainage");
-  for (const char* entry : {"sealing gap", "sealing rim"})
-    if (!pore_pressure && section.has_parameter(entry))
-      section.fail("has a meaning only in a model with the field 'pore pressure'", entry);
-  if (kind_ != Kind::sealed && section.has_parameter("sealing rim"))
-    section.fail("has a meaning only with 'drainage' = sealed", "sealing rim");
+  if (!pore_pressure && section.has_parameter("sealing gap"))
+    section.fail("has a meaning only in a model with the field 'pore pressure'", "sealing gap");
   if (leaks()) {
     if (!(conductance_ > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
     if (!pore_pressure) section.fail(std::string("leaky") + needs_field, "drainage");

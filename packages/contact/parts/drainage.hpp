@@ -6,10 +6,8 @@ namespace mudline {
 
 /// What becomes of the slave's pore water where it touches: deck entries. A side is closed to the pore water (what
 /// conditions prescribe on it is off) while more than half of its points are nearer to the target than the sealing gap
-/// in the committed state: lagged by one step, so that Newton sees a fixed set. The sides beside them, `sealing rim` in
-/// number, are closed too in a step in which their soil cannot drain: a prescribed pore pressure would take water out
-/// of half an element, which could not flow so fast. Leaky: these sides let water through instead, see LeakySurface.
-/// Film: water stands between them and the target, see WaterFilm.
+/// in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these sides let
+/// water through instead, see LeakySurface. Film: water stands between them and the target, see WaterFilm.
 class Drainage {
  public:
   enum class Kind { sealed, drained, leaky, film };
@@ -19,11 +17,10 @@ class Drainage {
   void check(const Section& section, bool pore_pressure) const;
 
   bool closes() const { return kind_ != Kind::drained; }
+  bool seals() const { return kind_ == Kind::sealed; }
   bool leaks() const { return kind_ == Kind::leaky; }
   bool has_film() const { return kind_ == Kind::film; }
   double sealing_gap() const { return sealing_gap_; }  // [-] of the side's longest edge
-  /// Number of sides beside a closed one that are closed with it; 0 unless sealed.
-  int sealing_rim() const { return kind_ == Kind::sealed ? sealing_rim_ : 0; }
   double conductance() const { return conductance_; }   // [m/(Pa s)]
   const Function& outside() const { return outside_; }  // [Pa] pore pressure beyond the target
   WaterFilm film;
@@ -31,7 +28,6 @@ class Drainage {
  private:
   Kind kind_;
   double sealing_gap_ = 0.1, conductance_ = 0;
-  int sealing_rim_ = 0;
   Function outside_;
 };
 

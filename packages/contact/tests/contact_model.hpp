@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -107,7 +106,7 @@ struct ContactModel {
     contact = registry.create(deck.deck.root().section("contacts").section("c"),
                               {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
                                [stress](const State&, int, int, const Point& at) { return stress(at); },
-                               std::move(strength), [this](int, int) { return consolidation; }});
+                               std::move(strength)});
     bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);
@@ -191,7 +190,6 @@ struct ContactModel {
   std::unique_ptr<Contact> contact;
   StepView view{};
   int failures = 0;
-  double consolidation = std::numeric_limits<double>::infinity();  // [m2/s] of all soil: it drains at once
 };
 
 /// Positions x, ascending, of the vertices on `set` whose pore pressure a drained condition on it leaves free in the
@@ -210,7 +208,7 @@ inline std::vector<double> released(ContactModel& model, const std::string& set)
   const int p = model.space.find("pore pressure"), n = model.space.dofs()->num_overlap_dofs();
   Constraints constraints(n);
   ClosedSides closed;
-  dynamic_cast<const ClosesSides&>(*model.contact).close(model.store.committed(), 1, closed);
+  dynamic_cast<const ClosesSides&>(*model.contact).close(model.store.committed(), closed);
   dynamic_cast<HoldsOnOpenSides&>(*drained).set_closed(closed);
   drained->prescribe(0, 1, model.store.committed(), constraints);
   std::vector<double> result;

@@ -282,24 +282,6 @@ TEST(PenaltyContact, CoveredVerticesAreSealedOneStepLater) {
   }
 }
 
-TEST(PenaltyContact, SoilBesideABodyThatCannotDrainInAStepIsSealed) {
-  // sides of 0.1, the pile's edge at 0.45: it covers the side that it ends on, and a rim of two sides closes those up
-  // to 0.7, and so the vertices up to 0.6; the step is 1 s long, so that h^2/(6 c_v) = 1 s at c_v = 1/600 m2/s
-  ContactModel model(
-      Geometry::plane_strain, strip(Cells::quad9, 10, 1, 0, 1, 1, 0), pile_xml(0.9, 0, 0.01),
-      contact_parameters("surface quadrature", eps) + "<Parameter name=\"sealing rim\" type=\"int\" value=\"2\"/>\n");
-  model.begin(1);
-  const std::size_t under = released(model, "surface").size();
-  for (const double slow : {0.0, 0.99 / 600}) {
-    model.consolidation = slow;
-    const std::vector<double> wider = released(model, "surface");
-    EXPECT_EQ(wider.size(), under + 2);
-    EXPECT_NEAR(wider.back(), 0.6, 1e-12);
-  }
-  model.consolidation = 1.01 / 600;
-  EXPECT_EQ(released(model, "surface").size(), under);
-}
-
 TEST(PenaltyContact, ABodyAboveTheSurfaceDoesNotSealTheFirstStep) {
   ContactModel model(Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 1, 1, 0), pile_xml(1, 0.026, 0.01),
                      contact_parameters("surface quadrature", eps));  // sealing gap: 0.1 sides of 0.25

@@ -47,6 +47,9 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
   const RCP<const Map>& overlap = soil.space->dofs()->overlap();
   const SoilPoints points(soil, b, *view.committed);
   const int pressure = place_of_scalar(b, soil.pressure);
+  const auto open = [&](int e, int c) {
+    return view.open.extent(0) > 0 && view.open(b.dofs(e, Loop::D * Loop::NU + c)) != 0;
+  };
   for (int e = 0; e < b.elements; ++e) {
     double q_e[Loop::NQ][Loop::NQ] = {}, l_e[Loop::NQ][Loop::NQ] = {};
     loop.template for_each_point<false, true>(
@@ -66,7 +69,8 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
           for (int c = 0; c < NP; ++c)
             for (int d = 0; d < NP; ++d) {
               q_e[c][d] += s.dv * compliance * s.Np[c] * s.Np[d];
-              l_e[c][d] += s.dv * points.along_ratios(row, s.gp[c], s.gp[d], Loop::D);
+              if (c == d || !(open(e, c) || open(e, d)))
+                l_e[c][d] += s.dv * points.along_ratios(row, s.gp[c], s.gp[d], Loop::D);
             }
         });
     if constexpr (NP > 0) {

@@ -1,8 +1,13 @@
 #include "physics/biot/water_dilatation.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_LAPACK.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 #include "framework/element_loop.hpp"
+#include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
 
 namespace mudline {
@@ -52,6 +57,42 @@ double at_point(const SoilBlock& b, int e, int q, const std::vector<double>& nod
   double sum = 0;
   for (int c = 0; c < b.p.nodes; ++c) sum += b.p.N(q, c) * nodal[b.nodes(e, c)];
   return sum;
+}
+
+/// Calls f(row of the point, material, mass of the grains of that material which follows the volume strain [kg]) for
+/// the points of a block. A point at the interface of two layers has a share of both, as in take_inventory().
+template <class F>
+void for_each_grain(const Soil& soil, const SoilBlock& b, const StepView& view, F&& f) {
+  const ByMaterial<Mixture> mixture_of = mixtures_of(soil, b, *view.committed);
+  const PointView void_ratio = view.trial->arrays[b.void_ratio];
+  const std::size_t made_of = b.made_of.size();
+  std::vector<Point> starts(b.points, Point{});
+  std::vector<double> shares(b.points, 1.0);
+  with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
+    using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
+    const Loop loop{b, end_level(view, b)};
+    for (int e = 0; e < b.elements; ++e) {
+      if (made_of > 1) {
+        for (int q = 0; q < b.points; ++q)
+          for (int d = 0; d < Loop::D; ++d)
+            starts[q][d] = view.committed->arrays[b.origin](e * b.points + q, 1 + d);
+        shares = soil.layer_shares(b, starts);
+      }
+      loop.template for_each_point<false, false>(
+          e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
+            const int row = e * b.points + q;
+            const Mixture& mixture = mixture_of(row);
+            const double n = void_ratio(row, 0) / (1 + void_ratio(row, 0));
+            double warmth = mixture.reference;
+            if constexpr (Loop::S > 0)
+              if (mixture.temperature >= 0) warmth = at.value[mixture.temperature];
+            for (std::size_t k = 0; k < made_of; ++k)
+              f(row, b.made_of[k],
+                shares[q * made_of + k] * (mixture.alpha - n) * s.dv *
+                    mixture_of.of(b.made_of[k]).grain_density_at(warmth));
+          });
+    }
+  });
 }
 
 CoordinateView middle_of(const StepView& view) {
@@ -107,6 +148,50 @@ WaterDilatation::Values WaterDilatation::project(const std::vector<PointView>& v
   return found;
 }
 
+void WaterDilatation::keep_grains(const StepView& view, const std::vector<PointView>& shares,
+                                  const std::vector<PointView>& beyond) const {
+  constexpr int most = 5;             // steps of Newton's method; two are needed
+  constexpr double tolerance = 1e-15;  // of the mass
+  const int n = static_cast<int>(soil_.materials.size());
+  std::vector<double> here(n * (n + 2)), all(here.size());  // changes of mass, masses, derivatives of the changes
+  for (int k = 0; k < most; ++k) {
+    std::fill(here.begin(), here.end(), 0.0);
+    for (std::size_t i = 0; i < soil_.blocks.size(); ++i) {
+      const SoilBlock& b = soil_.blocks[i];
+      if (!b.sees_water) continue;
+      const PointView which = soil_.which(b, *view.committed);
+      for_each_grain(soil_, b, view, [&](int row, int material, double mass) {
+        here[material] += mass * std::expm1(-beyond[i](row, 0));
+        here[n + material] += mass;
+        here[n * (2 + static_cast<int>(which(row, 0))) + material] -=
+            mass * std::exp(-beyond[i](row, 0)) * shares[i](row, 0);
+      });
+    }
+    Teuchos::reduceAll(*soil_.space->mesh().comm(), Teuchos::REDUCE_SUM, static_cast<int>(here.size()), here.data(),
+                       all.data());
+    double* const change = all.data();
+    double* const derivative = change + 2 * n;  // column by column
+    bool enough = true;
+    for (int m = 0; m < n; ++m) {
+      enough = enough && std::abs(change[m]) <= tolerance * change[n + m];
+      if (std::abs(derivative[n * m + m]) > 1e-6 * change[n + m]) continue;  // else its soil drains at once
+      for (int other = 0; other < n; ++other) derivative[n * other + m] = other == m ? 1 : 0;
+      change[m] = 0;
+    }
+    if (enough) return;
+    std::vector<int> pivots(n);
+    int problem = 0;
+    Teuchos::LAPACK<int, double>().GESV(n, 1, derivative, n, pivots.data(), change, n, &problem);
+    if (problem != 0) return;
+    for (std::size_t i = 0; i < soil_.blocks.size(); ++i) {
+      const SoilBlock& b = soil_.blocks[i];
+      const PointView which = soil_.which(b, *view.committed);
+      for (int row = 0; row < b.elements * b.points && b.sees_water; ++row)
+        beyond[i](row, 0) -= change[static_cast<int>(which(row, 0))] * shares[i](row, 0);
+    }
+  }
+}
+
 std::vector<PointView> WaterDilatation::find(const StepView& view) const {
   const CoordinateView middle = middle_of(view);
   Moments m(middle.extent(0));
@@ -116,16 +201,20 @@ std::vector<PointView> WaterDilatation::find(const StepView& view) const {
   for (std::size_t i = 0; i < undrained.size(); ++i)
     if (m.lumped[i] > 0) undrained[i] = m.lumped[i] / (m.lumped[i] + view.dt * m.flow[i]);
   const Values strain = project(m.volume, m.lumped, m.swell);
-  std::vector<PointView> result;
+  std::vector<PointView> result, shares;
   for (const SoilBlock& b : soil_.blocks) {
     const std::size_t k = result.size();
-    const PointView& to = result.emplace_back("beyond the motion", b.elements * b.points, 1);
+    const PointView to("beyond the motion", b.elements * b.points, 1), share("share", b.elements * b.points, 1);
+    result.push_back(to);
+    shares.push_back(share);
     for (int e = 0; e < b.elements && b.sees_water; ++e)
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
-        to(row, 0) = at_point(b, e, q, undrained) * (at_point(b, e, q, strain) - m.strain[k](row, 0));
+        share(row, 0) = at_point(b, e, q, undrained);
+        to(row, 0) = share(row, 0) * (at_point(b, e, q, strain) - m.strain[k](row, 0));
       }
   }
+  keep_grains(view, shares, result);
   return result;
 }
 

@@ -21,6 +21,7 @@ namespace mudline {
 /// and the coefficient of consolidation c_v: what a node's part of the soil loses in a step of its own pressure by
 /// flow. So soil that cannot drain within a step keeps its volume as the water does, and soil that drains
 /// at once sees its own motion. The difference has no moment with s, so that the total volume stays that of the motion.
+/// To this, a multiple of s is added in each material, so that the mass of its grains stays too.
 class WaterDilatation {
  public:
   explicit WaterDilatation(const Soil& soil) : soil_(soil), exchange_(soil.space->mesh()) {}
@@ -35,6 +36,11 @@ class WaterDilatation {
   /// volumes of the nodes [m3]; load: moments of the volume strain [m3].
   Values project(const std::vector<PointView>& volume, const Values& lumped, const Values& load) const;
   double product(const Values& a, const Values& b) const;
+  /// Adds to `beyond` multiples of `shares`, one in each material, with which the grains of every material have the
+  /// mass that they have in the trial state, whose void ratios are still those of the motion. shares: of the points in
+  /// the difference, by block.
+  void keep_grains(const StepView& view, const std::vector<PointView>& shares,
+                   const std::vector<PointView>& beyond) const;
 
   const Soil& soil_;
   NodalExchange exchange_;

@@ -16,11 +16,18 @@ void require_component(const Section& section, const std::array<bool, axis_names
                                           : "at least one of 'x' and 'y' must be given");
 }
 
+KOKKOS_INLINE_FUNCTION void give(const Constraints& to, const GivenValue& given, double value) {
+  if (given.outside)
+    to.open_to(given.dof, value);
+  else
+    to.prescribe(given.dof, value);
+}
+
 // Kernels for each given value, and their launch.
 struct SetValue {
   Kokkos::View<const GivenValue*> given;
   Constraints to;
-  KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, given(i).value); }
+  KOKKOS_FUNCTION void operator()(int i) const { give(to, given(i), given(i).value); }
 };
 struct SetChange {  // the value is a change over the step
   Kokkos::View<const GivenValue*> given;
@@ -40,7 +47,7 @@ struct SetHead {  // the given value is the water level
     for (int k = 0; k < static_cast<int>(x.extent(1)); ++k) height += up[k] * x(given(i).node, k);
     const double pressure = unit_weight * (given(i).value - height);
     if (pressure < 0 && below_only) return;
-    to.prescribe(given(i).dof, pressure > 0 || suction ? pressure : 0.0);
+    give(to, given(i), pressure > 0 || suction ? pressure : 0.0);
   }
 };
 template <class Kernel, class... More>
@@ -68,11 +75,38 @@ void Prescribed::bind(const ConditionContext& context, const Section& section) {
   require_set(mesh, section, "set", set_);
   nodes_ = mesh.nodes_of_set(set_);
   if (field_name() == "pore pressure" && mesh.has_side_set(set_)) exchange_ = std::make_unique<NodalExchange>(mesh);
+  soil_ = context.shared.find<Soil>();
+}
+
+std::vector<char> Prescribed::nodes_that_bodies_may_seal(const std::set<std::string>& surfaces) const {
+  const Mesh& mesh = space_->mesh();
+  std::set<std::array<int, 3>> may_be_sealed;
+  for (const std::string& surface : surfaces)
+    for (const Side& side : mesh.side_sets().at(surface)) may_be_sealed.insert({side.block, side.element, side.side});
+  std::vector<double> reached(mesh.num_nodes()), others(mesh.num_nodes());
+  for (const Side& side : mesh.side_sets().at(set_)) {
+    const ElementBlock& block = mesh.blocks()[side.block];
+    auto& count = may_be_sealed.count({side.block, side.element, side.side}) > 0 ? reached : others;
+    for (int local : side_nodes(block.shape, side.side)) count[block.nodes(side.element, local)] = 1;
+  }
+  for (const SoilBlock& b : soil_->blocks)
+    for (int e = 0; e < b.elements && b.dries; ++e)
+      for (int a = 0; a < b.u.nodes; ++a) others[b.nodes(e, a)] = 1;
+  exchange_->sum_shared(reached);
+  exchange_->sum_shared(others);
+  std::vector<char> flags(reached.size());
+  for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = reached[i] > 0 && others[i] == 0;
+  return flags;
 }
 
 void Prescribed::set_closed(const ClosedSides& closed) {
+  if (!exchange_) return;
+  if (closed.may_be_sealed != surfaces_) {
+    surfaces_ = closed.may_be_sealed;
+    opens_ = soil_ && soil_->pressure == field_ && !surfaces_.empty() ? nodes_that_bodies_may_seal(surfaces_) : std::vector<char>();
+  }
   open_.clear();
-  if (!exchange_ || !closed.possible) return;
+  if (!closed.possible) return;
   const Mesh& mesh = space_->mesh();
   std::vector<double> open_sides(mesh.num_nodes(), 0.0);
   for (const Side& side : mesh.side_sets().at(set_)) {
@@ -182,9 +216,9 @@ void PorePressureCondition::parameters(Parameters& p) {
 }
 
 void PorePressureCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<GivenValue> given;
-  for_each_open_node([&](int dof, int node, const Point& x) { given.push_back({dof, node, value_(t_end, x)}); });
-  set_given<SetValue>(given, to);
+  std::vector<GivenValue> values;
+  for_each_open_node([&](int dof, int node, const Point& x) { values.push_back(given(dof, node, value_(t_end, x))); });
+  set_given<SetValue>(values, to);
 }
 
 void HydrostaticCondition::parameters(Parameters& p) {
@@ -206,9 +240,9 @@ void HydrostaticCondition::bind(const ConditionContext& context, const Section& 
 }
 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
-  std::vector<GivenValue> given;
-  for_each_open_node([&](int dof, int node, const Point& x) { given.push_back({dof, node, level_(t_end, x)}); });
-  set_given<SetHead>(given, to, committed.coordinates, Kokkos::Array<double, 3>{up_[0], up_[1], up_[2]}, unit_weight_,
+  std::vector<GivenValue> values;
+  for_each_open_node([&](int dof, int node, const Point& x) { values.push_back(given(dof, node, level_(t_end, x))); });
+  set_given<SetHead>(values, to, committed.coordinates, Kokkos::Array<double, 3>{up_[0], up_[1], up_[2]}, unit_weight_,
                      above_ == Above::free, above_ == Above::suction);
 }
 
@@ -228,11 +262,11 @@ void ValueCondition::bind(const ConditionContext& context, const Section& sectio
 }
 
 void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<GivenValue> given;
+  std::vector<GivenValue> values;
   for_each_open_node([&](int dof, int node, const Point& x) {
-    given.push_back({dof + component_, node, value_(t_end, x)});
+    values.push_back(given(dof + component_, node, value_(t_end, x)));
   });
-  set_given<SetValue>(given, to);
+  set_given<SetValue>(values, to);
 }
 
 }  // namespace mudline

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "framework/closed_sides.hpp"
 #include "framework/condition.hpp"
 #include "framework/nodal_exchange.hpp"
+#include "physics/soil.hpp"
 
 namespace mudline {
 
@@ -18,6 +20,7 @@ int conditioned_field(const Space& space, const Section& section, const std::str
 struct GivenValue {
   int dof, node;
   double value;
+  bool outside = false;  // it is the pressure of the water outside, at an open boundary
 };
 
 /// Conditions that prescribe nodal unknowns on a set.
@@ -42,6 +45,10 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
       f(dof, node, space_->mesh().place(node));
     }
   }
+  /// A value of an unknown at a node.
+  GivenValue given(int dof, int node, double value) const {
+    return {dof, node, value, !opens_.empty() && opens_[node] != 0};
+  }
   /// Like for_each_node(), but leaves out nodes whose sides in the set are all closed to water by bodies. Only a pore
   /// pressure on a set of sides has such nodes.
   template <class F>
@@ -57,6 +64,11 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
 
  private:
   std::unique_ptr<const NodalExchange> exchange_;  // for a pore pressure on sides, else null
+  /// By local node: whether bodies may seal all of its sides in the set, and no soil around it dries. Collective.
+  std::vector<char> nodes_that_bodies_may_seal(const std::set<std::string>& surfaces) const;
+  std::shared_ptr<const Soil> soil_;   // whose pore pressure is prescribed; null: it is no such condition
+  std::set<std::string> surfaces_;     // that bodies may seal
+  std::vector<char> opens_;            // (local node) whether its pore pressure is that of the water outside; empty: none
   std::vector<char> open_;  // (local node) whether it has an open side in the set; empty: all nodes are open
 };
 

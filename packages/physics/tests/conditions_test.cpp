@@ -132,6 +132,34 @@ TEST(Conditions, ClosedSidesReleaseTheirNodesUnlessAnotherSideIsOpen) {
   EXPECT_EQ(held("top", ClosedSides{}), 3);
 }
 
+TEST(Conditions, APressureOnASurfaceThatBodiesMaySealIsThatOfTheWaterOutside) {
+  SoilModel model(condition("top", "pore pressure", "top", number_parameter("value", 7)) +
+                  condition("left", "pore pressure", "left"));
+  ClosedSides closed;
+  closed.possible = true;
+  closed.may_be_sealed.insert("top");
+  const Side first = model.mesh->side_sets().at("top").front();
+  closed.sides.insert({first.block, first.element, first.side});
+  for (const char* name : {"top", "left"})
+    dynamic_cast<HoldsOnOpenSides&>(*model.named.at(name)).set_closed(closed);
+  const Constraints top = model.prescribed("top"), left = model.prescribed("left");
+  int open = 0;
+  for (int node = 0; node < model.mesh->num_nodes(); ++node) {
+    const int dof = model.p(node);
+    if (dof < 0) continue;
+    EXPECT_FALSE(top.mask(dof));
+    EXPECT_FALSE(left.open(dof));  // its sides are no part of that surface
+    open += top.open(dof);
+    if (top.open(dof)) EXPECT_EQ(top.value(dof), 7);
+  }
+  EXPECT_EQ(open, 2);  // without the outer vertex of the closed side
+  for (const auto& condition : model.named)
+    dynamic_cast<HoldsOnOpenSides&>(*condition.second).set_closed(ClosedSides{});
+  const Constraints still = model.prescribed("top");
+  for (const int node : model.mesh->nodes_of_set("top"))
+    if (model.p(node) >= 0) EXPECT_TRUE(still.mask(model.p(node)) && !still.open(model.p(node)));
+}
+
 TEST(Conditions, ReactionsAreSummedOverTheSet) {
   SoilModel model(condition("base", "fixed", "bottom") + condition("drain", "pore pressure", "bottom"));
   NodalView reaction("reaction", model.space->dofs()->num_overlap_dofs());
