@@ -442,7 +442,7 @@ std::vector<char> PointContact::covered_sides(const State& committed) const {
 void PointContact::close(const State& committed, ClosedSides& closed) const {
   if (!parts_.drainage.closes() || laws_.pressure() < 0) return;
   closed.possible = true;
-  if (parts_.drainage.seals()) closed.may_be_sealed.insert(set_);
+  (parts_.drainage.seals() ? closed.may_be_sealed : closed.may_leak).insert(set_);
   const std::vector<Side>& set = surface_->mesh().side_sets().at(set_);
   std::vector<char> flags = covered_sides(committed);
   for (std::size_t s = 0; s < set.size(); ++s)

@@ -11,8 +11,10 @@ namespace mudline {
 /// Sides of the boundary that bodies close to the pore water in a step: a condition prescribes no pore pressure on
 /// them.
 struct ClosedSides {
-  bool possible = false;               // something may close sides in this step; the same on every rank
-  std::set<std::string> may_be_sealed; // side sets that something may seal in this step; the same on every rank
+  bool possible = false;  // something may close sides in this step; the same on every rank
+  // Side sets that something may seal in this step, and those through which water may flow into it, by a film or a
+  // leak; the same on every rank.
+  std::set<std::string> may_be_sealed, may_leak;
   std::set<std::array<int, 3>> sides;  // (block, element, side) of this rank
 };
 

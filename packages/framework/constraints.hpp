@@ -15,11 +15,7 @@ struct Constraints {
   Constraints() = default;
   /// Makes room for this many unknowns, none of them prescribed.
   explicit Constraints(int dofs)
-      : mask("prescribed", dofs),
-        open("open", dofs),
-        value("value", dofs),
-        moves("moves", dofs),
-        rate("rate", dofs) {}
+      : mask("prescribed", dofs), open("open", dofs), value("value", dofs), moves("moves", dofs), rate("rate", dofs) {}
   /// Whether an unknown, or the pressure of the water outside it, is given.
   KOKKOS_INLINE_FUNCTION bool given(int dof) const { return mask(dof) || open(dof); }
   KOKKOS_INLINE_FUNCTION void prescribe(int dof, double to) const {

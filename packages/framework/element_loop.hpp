@@ -49,8 +49,8 @@ struct ElementLoop {
     double x[NU][D], moved[NU][D];  // [m] position at the level; displacement in the step, without rounding of x
     double rate[NU][D], acceleration[NU][D];
     double value[SQ][NQ], change[SQ][NQ], scalar_rate[SQ][NQ];
-    // Water flows as if an open vertex had the pressure outside, so that its own pressure drives no flow, and what flows
-    // into it passes.
+    // Water flows as if an open vertex had the pressure outside, so that its own pressure drives no flow, and what
+    // flows into it passes.
     double driving[SQ][NQ];
     bool open[SQ][NQ];
   };
@@ -286,8 +286,7 @@ struct ElementLoop {
             double sum = 0;
             if constexpr (Law::scalars) sum += A[row][Index::value + k] * s.Np[c];
             if constexpr (Law::gradients)
-              for (int m = 0; m < D && !n.open[k][c]; ++m)
-                sum += A[row][Index::gradient + D * k + m] * s.gp[c][m];
+              for (int m = 0; m < D && !n.open[k][c]; ++m) sum += A[row][Index::gradient + D * k + m] * s.gp[c][m];
             *y++ = sum;
           }
     }

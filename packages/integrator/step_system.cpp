@@ -74,7 +74,8 @@ void hold(const Constraints& constraints, const NodalView& values, int begin, in
       "hold", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) { to.prescribe(i, from(i)); });
 }
 
-/// Moves the forces at prescribed unknowns from the total to the reactions; that of an open one is the flow that passes.
+/// Moves the forces at prescribed unknowns from the total to the reactions; that of an open one is the flow that
+/// passes.
 void split_reactions(const Constraints& constraints, const NodalView& passing, const NodalView& total,
                      const NodalView& reaction) {
   const Kokkos::View<char*> prescribed = constraints.mask;
@@ -120,7 +121,8 @@ StepSystem::StepSystem(const Space& space, StateStore& store, std::vector<Term*>
   store_.allocate_history(slots);
   assembler_.finalise();
   const int n = space.dofs()->num_overlap_dofs();
-  for (NodalView* v : {&reaction_, &total_, &acting_, &whole_, &passing_, &outside_}) *v = NodalView("sum of forces", n);
+  for (NodalView* v : {&reaction_, &total_, &acting_, &whole_, &passing_, &outside_})
+    *v = NodalView("sum of forces", n);
   constraints_ = Constraints(n);
   convergence_.declare_state();
   view_.constrained = constraints_.mask;

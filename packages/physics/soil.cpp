@@ -189,8 +189,8 @@ std::shared_ptr<std::vector<FieldBlock>> Soil::blocks_with(int field) const {
 void Soil::choose_strain(bool slides) {
   const auto hardens = [this](int k) { return materials[k]->skeleton->hardens_with_volume(); };
   const bool all = saturated_strain == SaturatedStrain::water_balance;
-  const bool some = saturated_strain == SaturatedStrain::hardening ||
-                    (saturated_strain == SaturatedStrain::automatic && slides);
+  const bool some =
+      saturated_strain == SaturatedStrain::hardening || (saturated_strain == SaturatedStrain::automatic && slides);
   for (SoilBlock& b : blocks)
     b.sees_water = !b.dries && (all || (some && std::any_of(b.made_of.begin(), b.made_of.end(), hardens)));
 }

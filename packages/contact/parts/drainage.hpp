@@ -20,7 +20,7 @@ class Drainage {
   bool seals() const { return kind_ == Kind::sealed; }
   bool leaks() const { return kind_ == Kind::leaky; }
   bool has_film() const { return kind_ == Kind::film; }
-  double sealing_gap() const { return sealing_gap_; }  // [-] of the side's longest edge
+  double sealing_gap() const { return sealing_gap_; }   // [-] of the side's longest edge
   double conductance() const { return conductance_; }   // [m/(Pa s)]
   const Function& outside() const { return outside_; }  // [Pa] pore pressure beyond the target
   WaterFilm film;

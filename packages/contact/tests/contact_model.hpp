@@ -103,10 +103,10 @@ struct ContactModel {
       store.declare(ArrayInfo::at_points("soil/effective stress", {{"effective stress", 6, "Pa"}}, mesh, 0, 2));
     std::function<double(const State&, int, int, const Point&)> strength;
     if (warm) strength = [](const State&, int, int, const Point& at) { return 2000 + 500 * at[0]; };
-    contact = registry.create(deck.deck.root().section("contacts").section("c"),
-                              {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
-                               [stress](const State&, int, int, const Point& at) { return stress(at); },
-                               std::move(strength)});
+    contact = registry.create(
+        deck.deck.root().section("contacts").section("c"),
+        {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
+         [stress](const State&, int, int, const Point& at) { return stress(at); }, std::move(strength)});
     bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);

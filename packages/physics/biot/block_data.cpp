@@ -57,11 +57,12 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
           const int row = e * b.points + q;
           const ElasticModuli m = points.moduli(row);
           double mobility = b.porous() ? points.mobility(row) : 0.0, storage = points.storage(row);
-          if (const Retention& retention = points.material(row).retention; retention.acts()) {
-            const double p = at.value[pressure];
-            mobility *= retention.relative_permeability(p);
-            storage += points.porosity(row) * retention.saturation(Dual<1>(p, 0)).d[0];
-          }
+          if constexpr (Loop::S > 0)
+            if (const Retention& retention = points.material(row).retention; retention.acts()) {
+              const double p = at.value[pressure];
+              mobility *= retention.relative_permeability(p);
+              storage += points.porosity(row) * retention.saturation(Dual<1>(p, 0)).d[0];
+            }
           const double values[6] = {
               1, m.bulk + 4.0 / 3 * m.shear, m.bulk + sideways * m.shear, points.density(row), storage, mobility};
           for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];

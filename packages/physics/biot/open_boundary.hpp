@@ -31,7 +31,7 @@ class OpenBoundary : public Term {
   template <class F>
   void for_each_block(const StepView& view, F&& f) const;
   std::shared_ptr<const Soil> soil_;
-  bool any_ = false;                     // whether a vertex of this rank is open in the present step
+  bool any_ = false;                    // whether a vertex of this rank is open in the present step
   std::vector<PointView> conductance_;  // by block: (element, vertex), of the present step [m3/(Pa s)]
 };
 

@@ -74,8 +74,7 @@ void for_each_grain(const Soil& soil, const SoilBlock& b, const StepView& view, 
     for (int e = 0; e < b.elements; ++e) {
       if (made_of > 1) {
         for (int q = 0; q < b.points; ++q)
-          for (int d = 0; d < Loop::D; ++d)
-            starts[q][d] = view.committed->arrays[b.origin](e * b.points + q, 1 + d);
+          for (int d = 0; d < Loop::D; ++d) starts[q][d] = view.committed->arrays[b.origin](e * b.points + q, 1 + d);
         shares = soil.layer_shares(b, starts);
       }
       loop.template for_each_point<false, false>(
@@ -150,7 +149,7 @@ WaterDilatation::Values WaterDilatation::project(const std::vector<PointView>& v
 
 void WaterDilatation::keep_grains(const StepView& view, const std::vector<PointView>& shares,
                                   const std::vector<PointView>& beyond) const {
-  constexpr int most = 5;             // steps of Newton's method; two are needed
+  constexpr int most = 5;              // steps of Newton's method; two are needed
   constexpr double tolerance = 1e-15;  // of the mass
   const int n = static_cast<int>(soil_.materials.size());
   std::vector<double> here(n * (n + 2)), all(here.size());  // changes of mass, masses, derivatives of the changes

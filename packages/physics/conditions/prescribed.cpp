@@ -78,15 +78,20 @@ void Prescribed::bind(const ConditionContext& context, const Section& section) {
   soil_ = context.shared.find<Soil>();
 }
 
-std::vector<char> Prescribed::nodes_that_bodies_may_seal(const std::set<std::string>& surfaces) const {
+std::vector<char> Prescribed::nodes_that_bodies_may_seal() const {
   const Mesh& mesh = space_->mesh();
-  std::set<std::array<int, 3>> may_be_sealed;
-  for (const std::string& surface : surfaces)
-    for (const Side& side : mesh.side_sets().at(surface)) may_be_sealed.insert({side.block, side.element, side.side});
+  const auto key = [](const Side& side) { return std::array<int, 3>{side.block, side.element, side.side}; };
+  const auto sides_of = [&](const std::set<std::string>& sets) {
+    std::set<std::array<int, 3>> sides;
+    for (const std::string& name : sets)
+      for (const Side& side : mesh.side_sets().at(name)) sides.insert(key(side));
+    return sides;
+  };
+  const auto may_be_sealed = sides_of(may_be_sealed_), may_leak = sides_of(may_leak_);
   std::vector<double> reached(mesh.num_nodes()), others(mesh.num_nodes());
   for (const Side& side : mesh.side_sets().at(set_)) {
     const ElementBlock& block = mesh.blocks()[side.block];
-    auto& count = may_be_sealed.count({side.block, side.element, side.side}) > 0 ? reached : others;
+    auto& count = may_be_sealed.count(key(side)) > may_leak.count(key(side)) ? reached : others;
     for (int local : side_nodes(block.shape, side.side)) count[block.nodes(side.element, local)] = 1;
   }
   for (const SoilBlock& b : soil_->blocks)
@@ -101,9 +106,11 @@ std::vector<char> Prescribed::nodes_that_bodies_may_seal(const std::set<std::str
 
 void Prescribed::set_closed(const ClosedSides& closed) {
   if (!exchange_) return;
-  if (closed.may_be_sealed != surfaces_) {
-    surfaces_ = closed.may_be_sealed;
-    opens_ = soil_ && soil_->pressure == field_ && !surfaces_.empty() ? nodes_that_bodies_may_seal(surfaces_) : std::vector<char>();
+  if (closed.may_be_sealed != may_be_sealed_ || closed.may_leak != may_leak_) {
+    may_be_sealed_ = closed.may_be_sealed;
+    may_leak_ = closed.may_leak;
+    opens_.clear();
+    if (soil_ && soil_->pressure == field_ && !may_be_sealed_.empty()) opens_ = nodes_that_bodies_may_seal();
   }
   open_.clear();
   if (!closed.possible) return;
@@ -263,9 +270,8 @@ void ValueCondition::bind(const ConditionContext& context, const Section& sectio
 
 void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
   std::vector<GivenValue> values;
-  for_each_open_node([&](int dof, int node, const Point& x) {
-    values.push_back(given(dof + component_, node, value_(t_end, x)));
-  });
+  for_each_open_node(
+      [&](int dof, int node, const Point& x) { values.push_back(given(dof + component_, node, value_(t_end, x))); });
   set_given<SetValue>(values, to);
 }
 

@@ -64,12 +64,13 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
 
  private:
   std::unique_ptr<const NodalExchange> exchange_;  // for a pore pressure on sides, else null
-  /// By local node: whether bodies may seal all of its sides in the set, and no soil around it dries. Collective.
-  std::vector<char> nodes_that_bodies_may_seal(const std::set<std::string>& surfaces) const;
-  std::shared_ptr<const Soil> soil_;   // whose pore pressure is prescribed; null: it is no such condition
-  std::set<std::string> surfaces_;     // that bodies may seal
-  std::vector<char> opens_;            // (local node) whether its pore pressure is that of the water outside; empty: none
-  std::vector<char> open_;  // (local node) whether it has an open side in the set; empty: all nodes are open
+  /// By local node: whether bodies may seal all of its sides in the set, and no body leaks there and no soil dries.
+  /// Collective.
+  std::vector<char> nodes_that_bodies_may_seal() const;
+  std::shared_ptr<const Soil> soil_;                // whose pore pressure is prescribed; null: it is no such condition
+  std::set<std::string> may_be_sealed_, may_leak_;  // see ClosedSides
+  std::vector<char> opens_;  // (local node) whether its pore pressure is that of the water outside; empty: none
+  std::vector<char> open_;   // (local node) whether it has an open side in the set; empty: all nodes are open
 };
 
 /// Prescribes the total displacement [m] since the last reset (a geostatic stage resets it to zero).

@@ -82,7 +82,8 @@ TEST(WaterDilatation, WhatItTakesHasNoMomentWithThePressuresShapes) {
 
 TEST(WaterDilatation, TheGrainsOfEveryMaterialStay) {
   // two layers, whose interface crosses cells; the void ratio of the trial state is one of the motion
-  const std::string layers = SoilModel::sand("", "", "upper") + SoilModel::sand(number_parameter("top", 1.4), "", "lower");
+  const std::string layers =
+      SoilModel::sand("", "", "upper") + SoilModel::sand(number_parameter("top", 1.4), "", "lower");
   SoilModel model("", by_water, SoilModel::box("axisymmetric"), layers);
   model.view.dt = 1e-9;
   move(model, [](double x, double y) { return Vec<double, 2>{2e-2 * std::sin(9 * x + y), 1e-2 * std::cos(5 * y)}; });
