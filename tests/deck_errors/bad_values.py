@@ -190,10 +190,10 @@ DECKS = [
     Wrong("gap that seals nothing", (TOUCHED, TOUCHED + parameter("drainage", "string", "drained") +
                                      parameter("sealing gap", "double", "0.1")),
           "contacts/ball on clay/sealing gap: has no meaning with 'drainage' = drained, which seals nothing"),
-    *(Wrong(f"{entry} without pore water", [*ONE_PHASE, (whole("drained surface"), ""), (", drained surface,", ","),
-                                            (TOUCHED, TOUCHED + parameter(entry, kind, "2"))],
-            f"contacts/ball on clay/{entry}: has a meaning only in a model with the field 'pore pressure'", at=parameter(entry, kind, "2"))
-      for entry, kind in (("sealing gap", "double"), ("sealing rim", "int"))),
+    Wrong("sealing gap without pore water", [*ONE_PHASE, (whole("drained surface"), ""), (", drained surface,", ","),
+                                             (TOUCHED, TOUCHED + parameter("sealing gap", "double", "2"))],
+          "contacts/ball on clay/sealing gap: has a meaning only in a model with the field 'pore pressure'",
+          at=parameter("sealing gap", "double", "2")),
     Wrong("two penalties", (TOUCHED, TOUCHED + parameter("penalty", "double", "1e8") + parameter("penalty factor", "double", "5")),
           "contacts/ball on clay/penalty factor: scales the penalty that follows from the soil's stiffness, but 'penalty' gives one; "
           "take one out", at=parameter("penalty factor", "double", "5")),
