@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Stresses and pore pressures around the deep pile against cavity expansion, the strain path method and radial consolidation.
 
-    pile_wall.py RESULTS/deep FIGURE.png     after `mudline run inputs/pile/clay.xml inputs/pile/deep.xml inputs/pile/remeshing.xml`: its results
+    pile_wall.py RESULTS/deep FIGURE.png     after `mudline run inputs/pile/clay.xml inputs/pile/deep.xml`: its results
                                              without ending
 """
 import pathlib

@@ -13,8 +13,7 @@ PICTURES = {
 }
 
 # What a deck is laid over, where shipped_decks() does not run it as the documents do
-LAID_OVER = {"pile/remeshing": ["pile/clay", "pile/deep"],
-             "torpedo/deep_torpedo": ["torpedo/tresca", "torpedo/remeshing"]}
+LAID_OVER = {"torpedo/deep_torpedo": ["torpedo/tresca", "torpedo/remeshing"]}
 
 
 def title(text):

@@ -41,7 +41,7 @@ class Site(unittest.TestCase):
         self.assertGreater(len(decks), 90)
         for deck in decks:
             self.assertIn(f"inputs/{os.path.relpath(deck, ROOT / 'inputs')}", gallery)
-        self.assertIn("run inputs/pile/clay.xml inputs/pile/deep.xml inputs/pile/remeshing.xml", gallery)
+        self.assertIn("run inputs/torpedo/tresca.xml inputs/torpedo/remeshing.xml inputs/torpedo/deep_torpedo.xml", gallery)
         self.assertIn("sweep inputs/cpt/backbone.xml", gallery)
         self.assertIn("point inputs/point/mcc_triaxial.xml", gallery)
         for picture in ("pile.png", "torpedo.png", "backbone.png"):
