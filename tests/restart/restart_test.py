@@ -172,7 +172,9 @@ class Ranks(RestartCase):
         over = self.write("over.xml", deck_text("over", {
             "contacts": {"ball on clay": {"friction": {"type": "coulomb", "coefficient": 0.2}}},
             "mesh motion": {"boundary": {"focus": "ball", "size near focus": 0.05, "near distance": 0.1, "growth": 0.2}}}))
-        self.check([BALL, over, *settings("contacts/ball on clay/type=penalty")], "ball", 10, ((1, 2), (3, 1)))
+        # clay that drains within the steps: where no water leaves, its change is rounding
+        drains = "materials/clay/permeability/hydraulic conductivity=1e-3"
+        self.check([BALL, over, *settings("contacts/ball on clay/type=penalty", drains)], "ball", 10, ((1, 2), (3, 1)))
 
     def test_two_surfaces(self):
         slide = self.write("slide.xml", SLIDE)

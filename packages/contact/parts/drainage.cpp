@@ -5,9 +5,8 @@ namespace mudline {
 void Drainage::parameters(Parameters& p) {
   p.choice("drainage", kind_,
            {{"sealed", Kind::sealed}, {"drained", Kind::drained}, {"leaky", Kind::leaky}, {"film", Kind::film}},
-           "sealed: where the surface touches, its prescribed pore pressure is released (no flow), and elsewhere the "
-           "surface drains only as fast as its water can flow; drained: it stays prescribed; leaky: it is released, "
-           "and water leaves through what it touches by 'conductance'; film: it is "
+           "sealed: where the surface touches, its prescribed pore pressure is released (no flow); drained: it stays "
+           "prescribed; leaky: it is released, and water leaves through what it touches by 'conductance'; film: it is "
            "released, and water stands between the two, whose pressure acts on both: where the gap grows it comes from "
            "the surface's soil or from the open end of the gap");
   film.parameters(p);

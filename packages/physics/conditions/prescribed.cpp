@@ -95,7 +95,7 @@ std::vector<char> Prescribed::nodes_that_bodies_may_seal() const {
     for (int local : side_nodes(block.shape, side.side)) count[block.nodes(side.element, local)] = 1;
   }
   for (const SoilBlock& b : soil_->blocks)
-    for (int e = 0; e < b.elements && b.dries; ++e)
+    for (int e = 0; e < b.elements && !b.sees_water; ++e)
       for (int a = 0; a < b.u.nodes; ++a) others[b.nodes(e, a)] = 1;
   exchange_->sum_shared(reached);
   exchange_->sum_shared(others);

@@ -138,6 +138,12 @@ TEST(Conditions, APressureOnASurfaceThatBodiesMaySealIsThatOfTheWaterOutside) {
   ClosedSides closed;
   closed.possible = true;
   closed.may_be_sealed.insert("top");
+  dynamic_cast<HoldsOnOpenSides&>(*model.named.at("top")).set_closed(closed);
+  const Constraints by_motion = model.prescribed("top");  // of soil that sees its motion
+  for (int node = 0; node < model.mesh->num_nodes(); ++node)
+    EXPECT_FALSE(model.p(node) >= 0 && by_motion.open(model.p(node)));
+  dynamic_cast<HoldsOnOpenSides&>(*model.named.at("top")).set_closed(ClosedSides{});
+  model.soil->blocks[0].sees_water = true;
   const Side first = model.mesh->side_sets().at("top").front();
   closed.sides.insert({first.block, first.element, first.side});
   for (const char* name : {"top", "left"}) dynamic_cast<HoldsOnOpenSides&>(*model.named.at(name)).set_closed(closed);

@@ -11,7 +11,6 @@ sys.path[:0] = [os.path.join(ROOT, folder) for folder in ("docs/benchmarks", "py
 import cone_influences  # noqa: E402
 
 ROW = "sealed, alpha 1"
-STRAIN = "physics/ground/volume strain"
 
 
 class RoughWall(SharedRun):
@@ -32,18 +31,6 @@ class RoughWall(SharedRun):
         self.compare_values("void ratio along the face", self.void_ratio, exact, single)
         self.compare_values("mean effective stress along the face", self.mean_stress.mean(),
                             cone_influences.critical_stress(), stress)
-
-
-@problem(title="Rough cone in clay that cannot drain: strain at points")
-class VolumeStrainAtPoints(RoughWall):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.run_row(**{STRAIN: "at points"})
-
-    @problem("exact", "no water flows; critical state at the void ratio of the start")
-    def test_along_the_face(self):
-        self.check(mean=0.005, single=0.01, stress=0.06)
 
 
 @problem(title="Rough cone in clay that cannot drain: strain of the water")

@@ -302,7 +302,9 @@ class Wall(SpaceCase):
         return {**PUSH, "motions": {"pile": {"type": "prescribed velocity", f"velocity {up}": speed}}}
 
     def in_space(self, z=-4.0 - 10 * FAST):
-        balance = {"type": "geostatic", "contacts": ["wall"], "balance tolerance": 1e-5}
+        # the clay beside the wall keeps the volume strain of the water from the end of the push: that is in balance again
+        # after the next step only, which moves it by 1.7e-5 m
+        balance = {"type": "geostatic", "contacts": ["wall"], "balance tolerance": 2e-5}
         return self.deck(
             "space",
             "z",
