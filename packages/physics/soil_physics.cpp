@@ -92,7 +92,8 @@ void SoilPhysics::pore_water_parameters(Parameters& p) {
       "the volume strain that the laws see at the end of a step. at points: that of each point's motion; water "
       "balance: where the soil cannot drain within the step, that which the balance of the water resolves, which is "
       "more exact beside rough walls; hardening: the same for laws that harden with their volume only (modified cam "
-      "clay, s-clay1s, hypoplasticity); automatic: hardening if a contact has friction, else at points. Where it is that "
+      "clay, s-clay1s, hypoplasticity); automatic: hardening if a contact has friction, else at points. Where it is "
+      "that "
       "of the water, a surface that a contact may seal drains only as fast as its water can flow");
 }
 
