@@ -128,8 +128,8 @@ def strength(program, folder, settings):
     return History(str(folder / "strength_compression.csv"))["deviatoric stress"].max() / 2
 
 
-def run(program, folder, name, **more):
-    settings, place = {**ROWS[name], **more}, folder_of(folder, name)
+def run(program, folder, name):
+    settings, place = ROWS[name], folder_of(folder, name)
     output = {"output/folder": place, "output/name": "cone", "output/field interval": 9}
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     code = subprocess.run([program, "run", "-q", *DECKS, *arguments(

@@ -238,14 +238,18 @@ void StepSystem::constrain(const StepRequest& request) {
 }
 
 void StepSystem::find_outside(const StepRequest& request) {
-  const double weight = scheme_.incremental ? scheme_.theta : scheme_.flow_alpha_f;  // of the end at the balance level
-  Constraints before(static_cast<int>(total_.extent(0)));
-  if (weight < 1) request.prescribe(view_.time_old, view_.time_old, store_.committed(), before);
+  int open = 0;
   for (std::size_t i = 0; i < outside_.extent(0); ++i) {
     if (constraints_.mask(i)) constraints_.open(i) = 0;
+    open += constraints_.open(i);
     outside_(i) = constraints_.value(i);
-    if (constraints_.open(i) && before.open(i)) outside_(i) += (1 - weight) * (before.value(i) - constraints_.value(i));
   }
+  const double weight = scheme_.incremental ? scheme_.theta : scheme_.flow_alpha_f;  // of the end at the balance level
+  if (weight == 1 || sum_over_ranks(*space_.dofs()->comm(), open) == 0) return;
+  Constraints before(static_cast<int>(total_.extent(0)));
+  request.prescribe(view_.time_old, view_.time_old, store_.committed(), before);
+  for (std::size_t i = 0; i < outside_.extent(0); ++i)
+    if (constraints_.open(i) && before.open(i)) outside_(i) += (1 - weight) * (before.value(i) - constraints_.value(i));
 }
 
 int StepSystem::history_slot(int k) const {

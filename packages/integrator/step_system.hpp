@@ -127,6 +127,7 @@ class StepSystem : public NonlinearProblem {
   void prepare_view(const StepRequest& request, StepView::Kind kind);
   void set_sensitivities();
   void constrain(const StepRequest& request);
+  /// Finds the pressure of the water outside open unknowns at the balance level. Collective.
   void find_outside(const StepRequest& request);
   /// Fills the level views and the trial's nodal part from x.
   void levels(const Vector& x);

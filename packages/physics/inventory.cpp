@@ -17,16 +17,12 @@ Inventory take_inventory(const Soil& soil, const State& state) {
     const ByMaterial<Mixture> mixture_of = mixtures_of(soil, b, state);
     const PointView void_ratio = state.arrays[b.void_ratio];
     const std::size_t made_of = b.made_of.size();
-    std::vector<Point> starts(b.points, Point{});
     std::vector<double> shares(b.points, 1.0);  // (point, material) of one element
     with_moving_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, level};
       for (int e = 0; e < b.elements; ++e) {
-        if (made_of > 1)
-          for (int q = 0; q < b.points; ++q)
-            for (int d = 0; d < Loop::D; ++d) starts[q][d] = state.arrays[b.origin](e * b.points + q, 1 + d);
-        if (made_of > 1) shares = soil.layer_shares(b, starts);
+        if (made_of > 1) shares = soil.layer_shares(b, state, e);
         loop.template for_each_point<true, false>(e, [&](int q, const typename Loop::Shape& s,
                                                          const typename Loop::Fields& at) {
           const int row = e * b.points + q;

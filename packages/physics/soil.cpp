@@ -302,6 +302,14 @@ std::vector<double> Soil::layer_shares(const SoilBlock& b, const std::vector<Poi
   return shares;
 }
 
+std::vector<double> Soil::layer_shares(const SoilBlock& b, const State& state, int element) const {
+  std::vector<Point> starts(b.points, Point{});
+  for (int q = 0; q < b.points; ++q)
+    for (int d = 0; d < space->mesh().dimension(); ++d)
+      starts[q][d] = state.arrays[b.origin](element * b.points + q, 1 + d);
+  return layer_shares(b, starts);
+}
+
 void Soil::place_materials(const Section& section) {
   const auto& x = space->mesh().coordinates();
   std::string problem;

@@ -124,6 +124,8 @@ struct Soil {
   /// the soil at the start. The shares of a point add up to 1. An interface is a ramp about as high as a point's part
   /// of the element, so that the content of a layer does not jump when a point passes the interface.
   std::vector<double> layer_shares(const SoilBlock& b, const std::vector<Point>& starts) const;
+  /// Those of an element of a block with several materials in a state.
+  std::vector<double> layer_shares(const SoilBlock& b, const State& state, int element) const;
   /// Whether some region has more than one material.
   bool layered() const;
   /// Whether some material has a retention: under suction it is not saturated.

@@ -6,8 +6,8 @@ namespace mudline {
 
 /// What becomes of the slave's pore water where it touches: deck entries. A side is closed to the pore water (what
 /// conditions prescribe on it is off) while more than half of its points are nearer to the target than the sealing gap
-/// in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these sides let
-/// water through instead, see LeakySurface. Film: water stands between them and the target, see WaterFilm.
+/// in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these sides let water
+/// through instead, see LeakySurface. Film: water stands between them and the target, see WaterFilm.
 class Drainage {
  public:
   enum class Kind { sealed, drained, leaky, film };

@@ -15,7 +15,7 @@ void OpenBoundary::begin(const StepView& view) {
     const SoilBlock& b = soil_->blocks[k];
     const SoilPoints points(*soil_, b, *view.committed);
     if (conductance_[k].extent(0) == 0) conductance_[k] = PointView("conductance", b.elements, b.p.nodes);
-    with_element<1>(soil_->geometry, b, [&](auto coordinates, auto shapes) {
+    with_moving_element<1>(soil_->geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, loop_level(view, {view.time_old, view.x_old, 0.0}, b)};
       const int first = Loop::MU;  // the pore pressure is the first scalar
@@ -75,7 +75,7 @@ void OpenBoundary::for_each_block(const StepView& view, F&& f) const {
   if (!view.flow || !any_) return;
   for (std::size_t k = 0; k < conductance_.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
-    with_element<1>(soil_->geometry, b, [&](auto coordinates, auto shapes) {
+    with_moving_element<1>(soil_->geometry, b, [&](auto coordinates, auto shapes) {
       using Shapes = decltype(shapes);
       if constexpr (Shapes::NS > 0)
         f(b, OutflowLoop<Shapes::NS>{b.dofs, conductance_[k], view.value, view.outside,

@@ -66,17 +66,12 @@ void for_each_grain(const Soil& soil, const SoilBlock& b, const StepView& view, 
   const ByMaterial<Mixture> mixture_of = mixtures_of(soil, b, *view.committed);
   const PointView void_ratio = view.trial->arrays[b.void_ratio];
   const std::size_t made_of = b.made_of.size();
-  std::vector<Point> starts(b.points, Point{});
   std::vector<double> shares(b.points, 1.0);
-  with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
+  with_moving_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
     using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
     const Loop loop{b, end_level(view, b)};
     for (int e = 0; e < b.elements; ++e) {
-      if (made_of > 1) {
-        for (int q = 0; q < b.points; ++q)
-          for (int d = 0; d < Loop::D; ++d) starts[q][d] = view.committed->arrays[b.origin](e * b.points + q, 1 + d);
-        shares = soil.layer_shares(b, starts);
-      }
+      if (made_of > 1) shares = soil.layer_shares(b, *view.committed, e);
       loop.template for_each_point<false, false>(
           e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
             const int row = e * b.points + q;
@@ -92,6 +87,26 @@ void for_each_grain(const Soil& soil, const SoilBlock& b, const StepView& view, 
           });
     }
   });
+}
+
+/// Mass of the grains of one material at a point which follows the volume strain there.
+struct Grains {
+  std::size_t block;
+  int row, material, own;  // row of the point, and the material that it is of
+  double mass;             // [kg]
+};
+
+std::vector<Grains> grains_of(const Soil& soil, const StepView& view) {
+  std::vector<Grains> result;
+  for (std::size_t k = 0; k < soil.blocks.size(); ++k) {
+    const SoilBlock& b = soil.blocks[k];
+    if (!b.sees_water) continue;
+    const PointView which = soil.which(b, *view.committed);
+    for_each_grain(soil, b, view, [&](int row, int material, double mass) {
+      result.push_back({k, row, material, static_cast<int>(which(row, 0)), mass});
+    });
+  }
+  return result;
 }
 
 CoordinateView middle_of(const StepView& view) {
@@ -152,19 +167,15 @@ void WaterDilatation::keep_grains(const StepView& view, const std::vector<PointV
   constexpr int most = 5;              // steps of Newton's method; two are needed
   constexpr double tolerance = 1e-15;  // of the mass
   const int n = static_cast<int>(soil_.materials.size());
+  const std::vector<Grains> grains = grains_of(soil_, view);
   std::vector<double> here(n * (n + 2)), all(here.size());  // changes of mass, masses, derivatives of the changes
   for (int k = 0; k < most; ++k) {
     std::fill(here.begin(), here.end(), 0.0);
-    for (std::size_t i = 0; i < soil_.blocks.size(); ++i) {
-      const SoilBlock& b = soil_.blocks[i];
-      if (!b.sees_water) continue;
-      const PointView which = soil_.which(b, *view.committed);
-      for_each_grain(soil_, b, view, [&](int row, int material, double mass) {
-        here[material] += mass * std::expm1(-beyond[i](row, 0));
-        here[n + material] += mass;
-        here[n * (2 + static_cast<int>(which(row, 0))) + material] -=
-            mass * std::exp(-beyond[i](row, 0)) * shares[i](row, 0);
-      });
+    for (const Grains& g : grains) {
+      const double strain = beyond[g.block](g.row, 0);
+      here[g.material] += g.mass * std::expm1(-strain);
+      here[n + g.material] += g.mass;
+      here[n * (2 + g.own) + g.material] -= g.mass * std::exp(-strain) * shares[g.block](g.row, 0);
     }
     Teuchos::reduceAll(*soil_.space->mesh().comm(), Teuchos::REDUCE_SUM, static_cast<int>(here.size()), here.data(),
                        all.data());

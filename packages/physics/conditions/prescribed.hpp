@@ -65,8 +65,7 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
  private:
   std::unique_ptr<const NodalExchange> exchange_;  // for a pore pressure on sides, else null
   /// By local node: whether bodies may seal all of its sides in the set, none leaks there, and the soil around sees
-  /// the volume strain of the water (SoilBlock::sees_water).
-  /// Collective.
+  /// the volume strain of the water (SoilBlock::sees_water). Collective.
   std::vector<char> nodes_that_bodies_may_seal() const;
   std::shared_ptr<const Soil> soil_;                // whose pore pressure is prescribed; null: it is no such condition
   std::set<std::string> may_be_sealed_, may_leak_;  // see ClosedSides
