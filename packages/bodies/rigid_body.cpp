@@ -410,6 +410,13 @@ Point RigidBody::velocity(const State& state) const {
   return now.velocity - cross(now.spin, now.turn(centre_));
 }
 
+Point RigidBody::acceleration(const State& state) const {
+  Point result{};
+  for (int k = 0; k < unknowns_.count; ++k)
+    if (unknowns_.direction[k] < dimension()) result[unknowns_.direction[k]] = state.acceleration(unknowns_.dof[k]);
+  return result;
+}
+
 Point RigidBody::in_frame(const BodyPlacement& placement, const Point& x) const {
   return placement.turn.back(x - placement.centre) + centre_;
 }

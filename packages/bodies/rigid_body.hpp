@@ -124,6 +124,8 @@ class RigidBody {
   /// Displacement [m] and velocity [m/s] of the reference point.
   Point displacement(const State& state) const;
   Point velocity(const State& state) const;
+  /// Acceleration [m/s2] of the centre of mass along its unknowns; zero along others.
+  Point acceleration(const State& state) const;
   /// Position of the reference point [m].
   Point position(const State& state) const;
   BodyPlacement placement(const State& state) const;

@@ -374,7 +374,7 @@ void force_size(const BodySetup& of, const Judge& judge) {
   for (const auto& [name, contact] : of.model.contacts())
     if (contact->partners().body == &of.body && modulus == 0) {
       const SoilBehind soil = soil_behind(of.model, contact->partners().surface);
-      modulus = soil.stiffness * soil.side;
+      modulus = soil.modulus;
     }
   for (const auto& motion : of.motions) {
     const ReleasedMotion* released = motion.law->released();

@@ -161,7 +161,7 @@ void BodySetup::find_surfaces() {
 
 SoilBehind soil_behind(const Model& model, const std::string& surface) {
   SoilBehind behind;
-  enum { count, edges, springs, sums };
+  enum { count, edges, moduli, springs, sums };
   std::vector<double> sum(sums, 0.0);
   for (const Side& s : model.mesh().side_sets().at(surface)) {
     const SideFigures at = figures(model.mesh(), s);
@@ -174,14 +174,18 @@ SoilBehind soil_behind(const Model& model, const std::string& surface) {
     for (int a = 0; a < num_nodes(block.shape); ++a) nodes.push_back(model.mesh().place(block.nodes(s.element, a)));
     sum[count] += 1;
     sum[edges] += 0.5 * (at.shortest + at.longest);
-    sum[springs] += model.constrained_modulus(s.block, s.element) /
-                    ElementMap(block.shape, [&](int a) { return nodes[a].data(); }).size().height;
+    const double modulus = model.constrained_modulus(s.block, s.element);
+    sum[moduli] += modulus;
+    sum[springs] += modulus / ElementMap(block.shape, [&](int a) { return nodes[a].data(); }).size().height;
+    for (const Point& x : at.corners) behind.top = std::max(behind.top, x[model.mesh().dimension() - 1]);
   }
   const Comm& comm = *model.mesh().comm();
   sum = sum_over_ranks(comm, sum);
   behind.strength = max_over_ranks(comm, behind.strength);
+  behind.top = max_over_ranks(comm, behind.top);
   if (sum[count] == 0) return behind;
   behind.side = sum[edges] / sum[count];
+  behind.modulus = sum[moduli] / sum[count];
   behind.stiffness = sum[springs] / sum[count];
   return behind;
 }

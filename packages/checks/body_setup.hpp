@@ -60,8 +60,10 @@ struct BodySetup {
 
 /// The soil behind a surface of the mesh, over all ranks.
 struct SoilBehind {
-  double side = 0, stiffness = 0;  // means over the sides: length of edges [m], constrained modulus over height [Pa/m]
-  double strength = 0;             // [Pa] largest undrained strength; 0: unknown
+  // means over the sides: length of edges [m], constrained modulus [Pa], the same over the element's height [Pa/m]
+  double side = 0, modulus = 0, stiffness = 0;
+  double strength = 0;     // [Pa] largest undrained strength; 0: unknown
+  double top = -any_size;  // [m] highest place
 };
 /// Collective.
 SoilBehind soil_behind(const Model& model, const std::string& surface);

@@ -11,6 +11,8 @@ namespace {
 
 /// Bearing pressure of a body at the soil's surface over the undrained strength, some ten.
 constexpr double bearing_factor = 10;
+/// Strength over modulus of a soil whose undrained strength is not known.
+constexpr double strength_over_modulus = 0.01;
 
 /// Judges a given penalty over the stiffness of the soil behind it, where the contact is enforced with (`augmented`) or
 /// without multipliers.
@@ -130,11 +132,26 @@ void tangential(const ContactSetup& of, const Judge& judge) {
               judge);
 }
 
-/// The load also acts on the part of the surface that the body covers, and reduces the contact pressure from which
-/// friction follows.
+/// A place below the surface, as deep as the body is wide.
+Point below_surface(const ContactSetup& of) {
+  const RigidBody& body = *of.partners.body;
+  const BodyPlacement start = body.initial_placement();
+  Bounds box = Bounds::nothing();
+  for (const Point& p : body.outline(start)) box.enclose(p);
+  const int up = body.dimension() - 1;
+  Point vertical{}, place = 0.5 * (box.low + box.high);
+  vertical[up] = 1;
+  if (of.model.mesh().geometry() == Geometry::axisymmetric) place[0] = 0;
+  place[up] = of.soil.top - body.shadow(start, vertical).width;
+  return place;
+}
+
+/// A load on the soil that also acts where the body covers it reduces the contact pressure, from which friction
+/// follows.
 void surcharge(const ContactSetup& of, const Judge& judge) {
   const Section conditions = of.deck.section("boundary conditions");
-  if (of.partners.body == nullptr || !(number_in(friction_of(of), "coefficient", 0) > 0)) return;
+  const double coefficient = number_in(friction_of(of), "coefficient", 0);
+  if (of.partners.body == nullptr || !(coefficient > 0)) return;
   for (const std::string& name : conditions.section_names()) {
     const Section entry = conditions.section(name);
     const std::string type = entry.text("type");
@@ -142,21 +159,31 @@ void surcharge(const ContactSetup& of, const Judge& judge) {
         entry.text("set") != of.partners.surface)
       continue;
     bool together = false;
-    for (const auto& stage : of.model.stages())
+    double time = 0;
+    for (const auto& stage : of.model.stages()) {
       together = together ||
                  (Setup::acts(name, *stage) && std::count(stage->contacts.begin(), stage->contacts.end(), of.name) > 0);
+      time += stage->duration;
+    }
     const char* component = type == "pressure" ? "value" : of.model.mesh().dimension() == 3 ? "z" : "y";
     Function load;
     Parameters(entry).add(component, load, "", "");
-    double time = 0;
-    for (const auto& stage : of.model.stages()) time += stage->duration;
-    const double most = std::max(std::abs(load(0, {})), std::abs(load(time, {})));
-    if (together && of.soil.side > 0)
-      judge(most / (of.soil.stiffness * of.soil.side),
-            of.called() + ": condition '" + name + "' loads its surface with " + readable(most, "Pa", 3) +
-                " where the body covers it too, and takes that from the traction that friction grows with; over the "
-                "soil's modulus this",
-            "let the load act beside the body alone, or model it by the initial state's 'surcharge' and weight");
+    const bool carried = !entry.has_parameter("position") || entry.text("position") != "present";
+    Point place = below_surface(of);
+    if (carried) place[of.model.mesh().dimension() - 1] = of.soil.top;
+    const double most = std::max(std::abs(load(0, place)), std::abs(load(time, place)));
+    const double bears = of.soil.strength > 0 ? of.soil.strength : strength_over_modulus * of.soil.modulus;
+    if (together && bears > 0)
+      judge(
+          coefficient * most / bears,
+          of.called() + ": condition '" + name + "' loads the soil with " + readable(most, "Pa", 3) +
+              " also where the body covers it, and friction does not see that part of the effective stress: it lacks " +
+              readable(coefficient * most, "Pa", 3) + ". Over the soil's " +
+              (of.soil.strength > 0 ? "undrained strength, " : "strength, taken as a hundredth of its modulus, ") +
+              readable(bears, "Pa", 3) + ", this",
+          "let the load fade with depth, so that it acts beside the body alone: 'position' = present and a 'value' "
+          "such as \"10e3 * min(1, max(0, 1 + " +
+              std::string(of.model.mesh().dimension() == 3 ? "z" : "y") + "/0.4))\"");
   }
 }
 
@@ -201,8 +228,8 @@ std::vector<Check<ContactSetup>> contact_checks() {
       {{"tangential penalty", "-", {0.01, 100}, "tangential penalty factor of friction"}, tangential},
       {{"load under friction",
         "-",
-        {0, 2e-3},
-        "load on the surface of a contact with friction over the soil's modulus"},
+        {0, 0.1},
+        "friction that a load on a body's surface takes away, over the soil's strength"},
        surcharge},
       {{"capture distance", "-", {0.5, 1000}, "of a contact over the mean side"}, capture},
       {{"advance limit", "-", {0.01, 4}, "of a contact, in sides"}, advance},

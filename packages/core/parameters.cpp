@@ -37,13 +37,21 @@ void check_range(double value, const std::string& text, const Range& range) {
   if (!range.contains(value)) throw Fault(text + " is out of range; allowed: " + range.describe());
 }
 
+/// How a text that is an expression becomes a number; "" for other texts.
+std::string how_expressions_are_given(const std::string& text) {
+  const bool calculates = text.find_first_of("*/+^") != std::string::npos;
+  if (!calculates || text.find_first_of("0123456789") == std::string::npos) return "";
+  return "; an expression has the type double, and in a setting it stands in braces, \"{" + text + "}\"";
+}
+
 void convert(const Teuchos::ParameterEntry& entry, const Range& range, double& member) {
   if (entry.isType<int>()) {
     member = used_value<int>(entry);
   } else if (entry.isType<double>()) {
     member = used_value<double>(entry);
   } else {
-    const std::string why = entry.isType<std::string>() ? why_no_number(entry_text(entry)) : "";
+    std::string why = entry.isType<std::string>() ? why_no_number(entry_text(entry)) : "";
+    if (why.empty()) why = how_expressions_are_given(entry_text(entry));
     throw Fault("expected a number (double), given " + describe_entry(entry) + why);
   }
   check_range(member, number_text(member), range);

@@ -2,31 +2,18 @@
 
 #include <KokkosBlas1_axpby.hpp>
 #include <KokkosBlas1_update.hpp>
-#include <Teuchos_Time.hpp>
 
 #include <algorithm>
 
 #include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
+#include "core/stopwatch.hpp"
 #include "discretisation/agree.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
 
 namespace {
-
-/// Adds the time until it goes out of scope.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total), start_(Teuchos::Time::wallTime()) {}
-  ~Stopwatch() { total_ += Teuchos::Time::wallTime() - start_; }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& total_;
-  double start_;
-};
 
 bool finite(const NodalView& values) {
   double sum = 0;  // NaN where one is not finite

@@ -107,6 +107,8 @@ class StepSystem : public NonlinearProblem {
   int linear_iterations() const { return linear_iterations_; }
   int factorisations() const { return factorisations_; }
   const StepTimes& times() const { return times_; }
+  /// Goes on counting from the times of the system on the mesh of before.
+  void continue_times(const StepTimes& before) { times_ = before; }
 
   // NonlinearProblem
   RCP<const Map> map() const override { return space_.dofs()->owned(); }

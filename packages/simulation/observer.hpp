@@ -31,6 +31,7 @@ struct RunView {
   int step;                  // number of accepted steps of the run, the geostatic ones among them
   double dt;                 // [s] length of the last step; 0: none so far, or geostatic
   int rejected;              // number of rejected steps since the program started
+  double mesh_time;          // wall-clock seconds of this rank for mesh motion and remeshing since the program started
   const StepReport& solve;   // of the last step
   const Report& report;      // of terms, conditions and observers on the last step; at the start of a stage of contacts
   const Balances& balances;  // sums over the run

@@ -51,8 +51,8 @@ void ProgressLog::end_run(const RunView& run, RunEnd end) {
                 Teuchos::Time::wallTime() - wall_start_);
   log::info(std::string(line) + "; results in " + run.stem + ".{vtkhdf,csv}");
   const StepTimes& times = run.model.system().times();
-  std::snprintf(line, sizeof line, "time: residuals %.2f s, Jacobians %.2f s, linear solves %.2f s", times.residual,
-                times.jacobian, times.linear);
+  std::snprintf(line, sizeof line, "time: residuals %.2f s, Jacobians %.2f s, linear solves %.2f s, mesh motion %.2f s",
+                times.residual, times.jacobian, times.linear, run.mesh_time);
   log::info(line);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/log.hpp"
 #include "core/run_error.hpp"
+#include "core/stopwatch.hpp"
 #include "core/text.hpp"
 #include "simulation/model_remeshing.hpp"
 #include "simulation/run.hpp"
@@ -21,6 +22,7 @@ std::unique_ptr<const WantedSizes> Run::wanted_sizes() {
 }
 
 void Run::remesh() {
+  const Stopwatch watch(mesh_time_);
   const int tried_before = progress_.remesh_tried;
   progress_.remesh_tried = progress_.step;
   const State& state = model_->store().committed();
@@ -61,6 +63,7 @@ std::string Run::transfer_to(std::unique_ptr<Model> next) {
   const long long elements = model_->mesh().num_global_elements();
   const std::unique_ptr<Model> old =
       std::exchange(model_, std::move(next));  // observers refer to it until they are told
+  model_->system().continue_times(old->system().times());
   balances_ = std::move(balances);
   pressure_ = std::move(pressures);
   pressure_->take_reference(reference);

@@ -9,6 +9,7 @@
 #include "ale/yield_drift.hpp"
 #include "core/foreign_library.hpp"
 #include "core/log.hpp"
+#include "core/stopwatch.hpp"
 #include "core/told.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
@@ -127,10 +128,10 @@ RunView Run::view(bool resumed) const {
           stage(),        resumed,
           at_end,         progress_.stage_start,
           progress_.step, progress_.last_dt,
-          rejected_,      solve_,
-          report_,        *balances_,
-          *pressure_,     stem_,
-          lost_factor_};
+          rejected_,      mesh_time_,
+          solve_,         report_,
+          *balances_,     *pressure_,
+          stem_,          lost_factor_};
 }
 
 void Run::tell(const std::function<void(Observer&)>& action) {
@@ -385,6 +386,7 @@ bool Run::accept(const Stage& stage, StepReport& solve) {
 bool Run::moves_mesh(const Stage& stage) const { return model_->ale() && stage.mesh_motion; }
 
 std::string Run::relocate_mesh() {
+  const Stopwatch watch(mesh_time_);
   StateStore& store = model_->store();
   const std::vector<double> conserved = balances_->conserved();
   MeshReceipt receipt = model_->ale()->relocate(store, model_->system().constraints());

@@ -123,6 +123,7 @@ class Run {
   StepReport solve_;  // likewise, its iterations
   int steps_here_ = 0;
   int rejected_ = 0;
+  double mesh_time_ = 0;    // wall-clock seconds of mesh motion and remeshing
   double lost_factor_ = 0;  // of the strengths, that ended the stage; 0: none did
   TransferLog transfers_;
 };

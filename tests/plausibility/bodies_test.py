@@ -91,6 +91,7 @@ MISTAKES = [
     ("pushed", {TOUCH + "friction/cap": 5.0}, "friction cap"),
     ("pushed", {TOUCH + "friction/tangential penalty factor": 1e-4}, "tangential penalty"),
     ("pushed", {"boundary conditions/weight": WEIGHT}, "load under friction"),
+    ("pushed", {"boundary conditions/weight": dict(WEIGHT, value=2e3)}, "load under friction"),  # two fifths of the strength
     ("pushed", {TOUCH + "capture distance": 1e-3}, "capture distance"),
     ("pushed", {TOUCH + "advance limit": 50.0}, "advance limit"),
     ("pushed", {**SATURATED, TOUCH + "sealing gap": 20.0}, "sealing gap"),
@@ -197,6 +198,15 @@ class Mistakes(MudlineCase):
         for contour, (answer, lines) in zip(contours, self.doubts([edited("pushed", {BAR + "contour": c}) for c in contours])):
             self.assertTrue(answer.endswith("the deck is valid"), answer)
             self.assertEqual([line for line in lines if "contour" in line], [], contour)
+
+    def test_loads_that_do_not_take_friction_away_are_not_doubted(self):
+        """A load that fades within the body's width, one that is small, and one under a body without friction."""
+        fading = dict(WEIGHT, value="2e5 * min(1, max(0, 1 + y/0.4))", position="present")
+        loads = [{"boundary conditions/weight": fading}, {"boundary conditions/weight": dict(WEIGHT, value=1e3)},
+                 {"boundary conditions/weight": WEIGHT, TOUCH + "friction/coefficient": 0.0}]
+        for load, (answer, lines) in zip(loads, self.doubts([edited("pushed", load) for load in loads])):
+            self.assertTrue(answer.endswith("the deck is valid"), answer)
+            self.assertEqual([line for line in lines if "load under friction" in line], [], load)
 
     def test_inverted_contours_are_refused(self):
         """The body on the right of its path: a box, and a pile from its axis downwards."""

@@ -61,16 +61,26 @@ class Ends(RestartCase):
         self.assertGreater(len(History(self.result("terzaghi", ".csv")).time), len(whole))
 
     def test_body_at_rest(self):
-        rest = self.ends("fall", type="at rest", body="anchor", speed=0.01)
+        rest = self.ends("fall", type="at rest", body="anchor", speed=0.3)
         done = self.mudline(*ANCHOR, rest, *settings("stages/fall/duration=10", "output/name=anchor"))
         self.assertEqual(done.returncode, 0, done.stderr)
         anchor = History(self.result("anchor", ".csv"))
         last = int(np.argmax(anchor["step/dt"] > 0.1)) - 1  # the stage without inertia that follows takes longer steps
         speed = np.abs(anchor["body/anchor/velocity y"])
-        self.assertLess(speed[last], 0.01)
-        self.assertTrue((speed[1:last] >= 0.01).all())
+        self.assertLess(speed[last], 0.3 - 0.08)  # 0.09 m/s a step
+        self.assertTrue((speed[1:last] >= 0.3 - 0.1).all())
         self.assertLess(anchor.time[last], 1)
         self.assertAlmostEqual(anchor.time[-1], anchor.time[last] + 20040, delta=1e-6)
+
+    def test_a_body_that_turns_back_is_not_at_rest(self):
+        """It is slow at one step, but changes by 0.09 m/s within it."""
+        rest = self.ends("fall", type="at rest", body="anchor", speed=0.08)
+        done = self.mudline(*ANCHOR, rest, *settings("stages/fall/duration=0.1", "output/name=anchor"), "--steps", "60")
+        self.assertIn("stage 'fall' ends with its duration of 0.1 s: nothing of its 'ends when' was reached", done.stderr)
+        anchor = History(self.result("anchor", ".csv"))
+        speed = np.abs(anchor["body/anchor/velocity y"])[1:51]
+        self.assertLess(speed.min(), 0.05)
+        self.assertGreater(speed[-1], 0.5)
 
     def test_nothing_is_reached(self):
         done = self.runs(TERZAGHI, *COLUMN, self.ends("consolidation", type="dissipated", share=0.99))
