@@ -41,20 +41,17 @@ void EnforcementParameters::check(const Section& section) const {
       section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
 }
 
-int EnforcementParameters::declare_penalties(StateStore& store, const std::string& prefix, const Mesh& mesh,
+int EnforcementParameters::declare_stiffness(StateStore& store, const std::string& prefix, const Mesh& mesh,
                                              const std::string& surface) {
   const auto sides = std::make_shared<SurfacePoints>(mesh, surface, SurfacePoints::At::centre, 2);
-  return store.declare(ArrayInfo::on_surface(prefix + "penalty", {{"penalty", 1, "Pa/m"}}, sides).not_shown());
+  return store.declare(ArrayInfo::on_surface(prefix + "stiffness", {{"stiffness", 1, "Pa/m"}}, sides).not_shown());
 }
 
-void EnforcementParameters::start_penalties(const ContactSurface& surface,
-                                            const std::function<double(int, int)>& stiffness,
-                                            const PointView& rows) const {
+void EnforcementParameters::freeze_stiffness(const ContactSurface& surface,
+                                             const std::function<double(int, int)>& stiffness, const PointView& rows) {
   const auto& sides = surface.sides();
   for (std::size_t s = 0; s < sides.size(); ++s)
-    if (!(rows(s, 0) > 0))
-      rows(s, 0) =
-          penalty > 0 ? penalty : penalty_factor * stiffness(sides[s].block, sides[s].element) / sides[s].height;
+    if (!(rows(s, 0) > 0)) rows(s, 0) = stiffness(sides[s].block, sides[s].element) / sides[s].height;
 }
 
 void MisfitSums::add(int node, double length, double penalty, double normal_sum, const Point& shear_sum) {

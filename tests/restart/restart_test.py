@@ -104,6 +104,19 @@ class Model(RestartCase):
         self.refused("does not fit this deck: its array 'array/contact/ball on clay/points'", *self.restart, "--accept-changes",
                      *settings("contacts/ball on clay/quadrature degree=9"))
 
+    def test_an_accepted_penalty_acts(self):
+        """A tenth of the penalty lets the body into the surface by far more. The automatic one is a factor on the stiffness of the start."""
+        with open(self.result("ball", ".restart"), "rb") as file:
+            before = file.read()
+        into = {}
+        for entry in ("penalty factor=10", "penalty factor=100", "penalty=1e8", "penalty=1e9"):
+            with open(self.result("ball", ".restart"), "wb") as file:
+                file.write(before)
+            self.runs(*self.restart, "--accept-changes", "--steps", "3", *settings("contacts/ball on clay/" + entry))
+            into[entry] = History(self.result("ball", ".csv"))["contact/ball on clay/maximum penetration"][-1]
+        self.assertGreater(into["penalty factor=10"], 5 * into["penalty factor=100"])
+        self.assertGreater(into["penalty=1e8"], 5 * into["penalty=1e9"])
+
     def test_stages_solver_and_output_may_change(self):
         done = self.runs(*self.restart, *settings("stages/push/duration=0.002", "stages/push/time step/growth=1.0",
                                                   "solver/residual tolerance=1e-9", "output/field steps=3"))
