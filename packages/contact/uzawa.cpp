@@ -48,10 +48,14 @@ int EnforcementParameters::declare_stiffness(StateStore& store, const std::strin
 }
 
 void EnforcementParameters::freeze_stiffness(const ContactSurface& surface,
-                                             const std::function<double(int, int)>& stiffness, const PointView& rows) {
+                                             const std::function<double(int, int)>& stiffness,
+                                             const PointView& rows) const {
   const auto& sides = surface.sides();
-  for (std::size_t s = 0; s < sides.size(); ++s)
-    if (!(rows(s, 0) > 0)) rows(s, 0) = stiffness(sides[s].block, sides[s].element) / sides[s].height;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    if (rows(s, 0) > 0) continue;
+    const double found = stiffness(sides[s].block, sides[s].element) / sides[s].height;
+    rows(s, 0) = found > 0 ? found : penalty / penalty_factor;  // soil without stress may have no stiffness yet
+  }
 }
 
 void MisfitSums::add(int node, double length, double penalty, double normal_sum, const Point& shear_sum) {

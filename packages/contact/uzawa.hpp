@@ -25,10 +25,10 @@ struct EnforcementParameters {
   /// a row per side; returns the handle.
   static int declare_stiffness(StateStore& store, const std::string& prefix, const Mesh& mesh,
                                const std::string& surface);
-  /// Fills the rows (side, 0) that have none yet: it stays as it was when the contact first started a step.
-  /// `stiffness`: of the soil by block and element [Pa].
-  static void freeze_stiffness(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
-                               const PointView& rows);
+  /// Fills the rows (side, 0) that have none yet: it stays as it was when the contact first started a step. With a
+  /// given penalty every row is positive afterwards. `stiffness`: of the soil by block and element [Pa].
+  void freeze_stiffness(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
+                        const PointView& rows) const;
   /// The penalty of a side [Pa/m] with this frozen stiffness.
   double penalty_of(double frozen) const { return penalty > 0 ? penalty : penalty_factor * frozen; }
   /// InputError for two penalties, and for entries that have no meaning with the penalty method.
