@@ -98,7 +98,8 @@ def draw(file, history, picture):
     for panel, depth in zip(axes, (7.0, 18.0, -tips.min())):
         step = file["steps"][names[int(np.argmin(np.abs(tips + depth)))]]
         x, excess = step["coordinates"][:, :2], step["nodal/excess_pore_pressure"][()] * 1e-3
-        corners = file["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int)
+        mesh = step["mesh"] if "mesh" in step else file["mesh"]
+        corners = mesh["topology"][()].reshape(-1, 7)[:, 1:4].astype(int)
         colours = panel.tripcolor(x[:, 0], x[:, 1], corners, excess, shading="gouraud", vmin=-50, vmax=400, cmap="RdYlBu_r")
         panel.triplot(x[:, 0], x[:, 1], corners, lw=0.25, color="k")
         contour = step["bodies/anchor/coordinates"][:, :2]

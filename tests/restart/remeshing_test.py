@@ -1,5 +1,6 @@
 """Signals in a remeshing, and the loss of the process that meshes."""
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -33,6 +34,17 @@ class Remeshing(RestartCase):
         self.runs(*arguments)
         self.assertGreaterEqual(History(self.result("whole", ".csv"))["mesh/remeshings"][-1], 2)
         return self.content("whole")
+
+    def test_the_time_of_all_meshes_is_told(self):
+        """Three of the eleven steps are on the last mesh: a tenth of the run, and all of them a third."""
+        done = program(["run", *self.decks["plane"]], 1, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        whole = float(re.search(r"done: .* rejected, ([0-9.]+) s;", done.stdout).group(1))
+        times = re.search(r"time: residuals ([0-9.]+) s, Jacobians ([0-9.]+) s, linear solves ([0-9.]+) s, mesh motion ([0-9.]+) s", done.stdout)
+        *solves, motion = map(float, times.groups())
+        self.assertGreater(sum(solves), 0.2 * whole)
+        self.assertGreater(motion, 0.05 * whole)
+        self.assertLessEqual(sum(solves) + motion, whole + 0.05)
 
     def test_a_run_starts_from_a_remeshed_state(self):
         """The mesh of that state is the first one of its files, which are whole."""

@@ -45,19 +45,6 @@ def front():
                                      "time step": {"initial": 5e3, "growth": 1.1, "maximum": 5e4}}}})
 
 
-def uniform(cells):
-    """A block under constant stress, which nothing moves."""
-    skeleton = {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.3}
-    start = {"type": "uniform", "effective stress xx": 3e4, "effective stress yy": 5e4, "effective stress zz": 2e4,
-             "shear stress xy": 1e4}
-    return deck_text("uniform", {
-        "mesh": {"type": "box", "cell": "tri6", "cells": [cells, cells], "upper": [1.0, 1.0], "distortion": 0.2},
-        "materials": {"soil": {"void ratio": 0.8, "skeleton": skeleton}},
-        "physics": {"ground": {"type": "solid", "initial state": start}},
-        "boundary conditions": {side: {"type": "fixed", "set": side} for side in ("left", "right", "top", "bottom")},
-        "stages": {"hold": {"type": "quasi-static", "duration": 30.0, "time step": {"initial": 1.0}}}})
-
-
 @problem("consistency", title="Remeshing in the plane")
 class Remeshing(MudlineCase):
     def test_a_front_three_elements_thick_is_not_worn_down(self):
@@ -75,7 +62,15 @@ class Remeshing(MudlineCase):
         self.compare("uneven surface", np.ptp(surface) / (1 - surface.mean()), 0.028)
 
     def test_uniform_stress_survives(self):
-        deck = self.write("uniform.xml", uniform(6))
+        skeleton = {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.3}
+        start = {"type": "uniform", "effective stress xx": 3e4, "effective stress yy": 5e4, "effective stress zz": 2e4,
+                 "shear stress xy": 1e4}
+        deck = self.write("uniform.xml", deck_text("uniform", {
+            "mesh": {"type": "box", "cell": "tri6", "cells": [6, 6], "upper": [1.0, 1.0], "distortion": 0.2},
+            "materials": {"soil": {"void ratio": 0.8, "skeleton": skeleton}},
+            "physics": {"ground": {"type": "solid", "initial state": start}},
+            "boundary conditions": {side: {"type": "fixed", "set": side} for side in ("left", "right", "top", "bottom")},
+            "stages": {"hold": {"type": "quasi-static", "duration": 30.0, "time step": {"initial": 1.0}}}}))
         history = self.run_deck([deck, self.write("remeshing.xml", remeshing(10))])
         self.assertEqual(history["mesh/remeshings"][-1], 2)
         with h5py.File(os.path.join(self.folder, "results", "uniform.h5")) as file:
@@ -89,18 +84,6 @@ class Remeshing(MudlineCase):
             self.compare(f"stress {column}", np.abs(stress[:, column] - value).max() / 5e4, 1e-12)
         self.assertLess(displacement, 1e-12)
         self.compare("change of solid", np.abs(history["mesh motion/change of solid"]).max(), 1e-13)
-
-    def test_the_time_of_all_meshes_is_told(self):
-        """The last mesh has one of the thirty steps."""
-        decks = [self.write("uniform.xml", uniform(24)), self.write("remeshing.xml", remeshing(14))]
-        done = program(["run", *decks], 1, self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        whole = float(re.search(r"done: .* rejected, ([0-9.]+) s;", done.stdout).group(1))
-        times = re.search(r"time: residuals ([0-9.]+) s, Jacobians ([0-9.]+) s, linear solves ([0-9.]+) s, mesh motion ([0-9.]+) s", done.stdout)
-        *solves, motion = map(float, times.groups())
-        self.assertGreater(sum(solves), 0.05 * whole)  # 0.18; 0.01 of it is the last step
-        self.assertGreater(motion, 0.1 * whole)
-        self.assertLessEqual(sum(solves) + motion, whole + 0.05)
 
     def test_large_strain_consolidation_does_not_notice(self):
         deck = os.path.join(ROOT, "inputs", "consolidation", "large_strain.xml")
