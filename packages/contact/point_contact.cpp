@@ -49,11 +49,11 @@ void PointContact::declare_points(StateStore& store) {
                       enforcement_.augmented());
   if (parts_.drainage.has_film()) parts_.drainage.film.declare_state(store, prefix, places_, axes());
   parts_.initial_gap.declare_state(store, prefix, places_);
-  stiffness_ = enforcement_.declare_stiffness(store, prefix, surface_->mesh(), set_);
+  penalties_ = enforcement_.declare_penalties(store, prefix, surface_->mesh(), set_);
 }
 
 void PointContact::begin_parts(const StepView& view) {
-  enforcement_.freeze_stiffness(*surface_, context_.stiffness, view.trial->arrays[stiffness_]);
+  enforcement_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
   start_multipliers(view);
   if (parts_.drainage.has_film()) parts_.drainage.film.cover(covered_sides(*view.committed));
   if (leak_) leak_->open(view.flow ? covered_sides(*view.committed) : std::vector<char>());
@@ -452,12 +452,12 @@ void PointContact::close(const State& committed, ClosedSides& closed) const {
 void PointContact::first_act(State& committed) {
   if (!parts_.initial_gap.adjusts()) return;
   const Comm& comm = *context_.space.mesh().comm();
-  const PointView& frozen = committed.arrays[stiffness_];
-  const int acted = frozen.extent(0) > 0 && frozen(0, 0) > 0;
+  const PointView& penalties = committed.arrays[penalties_];
+  const int acted = penalties.extent(0) > 0 && penalties(0, 0) > 0;
   int anywhere = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, acted, Teuchos::outArg(anywhere));
   if (anywhere > 0) return;
-  enforcement_.freeze_stiffness(*surface_, context_.stiffness, frozen);
+  enforcement_.start_penalties(*surface_, context_.stiffness, penalties);
   target_->look_at(committed);
   FirstTouch found;
   for (std::size_t s = 0; s < sides().size(); ++s) touch_first(s, committed, found);

@@ -52,8 +52,8 @@ struct PointAreas {
 ///
 /// Initial gap: a point's gap may be counted from that of the state in which the contact first acts (see InitialGap).
 ///
-/// State arrays, prefix "contact/<name>/": those of the points (see PointRows), "stiffness" (a row per side, frozen
-/// when the contact first starts a step), with an adjusted initial gap "initial gap", with a film "film".
+/// State arrays, prefix "contact/<name>/": those of the points (see PointRows), "penalty" (a row per side, frozen when
+/// the contact first starts a step), with an adjusted initial gap "initial gap", with a film "film".
 class PointContact : public Contact, public ClosesSides, public FirstActs {
  public:
   std::string name() const override { return "contact/" + name_; }
@@ -112,9 +112,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   int rows() const { return first_row_.back(); }
   const std::vector<SurfaceSide>& sides() const { return surface_->sides(); }
   const ContactRule& rule(const SurfaceSide& side) const { return rules_.at(side.shape); }
-  double penalty(const State& state, std::size_t side) const {
-    return enforcement_.penalty_of(state.arrays[stiffness_](side, 0));
-  }
+  double penalty(const State& state, std::size_t side) const { return state.arrays[penalties_](side, 0); }
 
   ContactContext context_;
   ContactLaws laws_;
@@ -127,7 +125,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   std::shared_ptr<const SurfacePoints> places_;  // of the rows
   double gap_tolerance_ = 0;                     // [m]
   PointRows rows_;
-  int stiffness_ = -1;  // state handle
+  int penalties_ = -1;  // state handle
 
   std::unique_ptr<Target> target_;
   std::vector<std::vector<int>> candidates_;  // (side) pieces of the target that it may meet in this step

@@ -41,20 +41,30 @@ void EnforcementParameters::check(const Section& section) const {
       section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
 }
 
-int EnforcementParameters::declare_stiffness(StateStore& store, const std::string& prefix, const Mesh& mesh,
+int EnforcementParameters::declare_penalties(StateStore& store, const std::string& prefix, const Mesh& mesh,
                                              const std::string& surface) {
   const auto sides = std::make_shared<SurfacePoints>(mesh, surface, SurfacePoints::At::centre, 2);
-  return store.declare(ArrayInfo::on_surface(prefix + "stiffness", {{"stiffness", 1, "Pa/m"}}, sides).not_shown());
+  return store.declare(
+      ArrayInfo::on_surface(prefix + "penalty", {{"penalty", 1, "Pa/m"}, {"factor", 1, "-"}}, sides).not_shown());
 }
 
-void EnforcementParameters::freeze_stiffness(const ContactSurface& surface,
-                                             const std::function<double(int, int)>& stiffness,
-                                             const PointView& rows) const {
+void EnforcementParameters::start_penalties(const ContactSurface& surface,
+                                            const std::function<double(int, int)>& stiffness,
+                                            const PointView& rows) const {
+  constexpr double rounding = 1e-9;
   const auto& sides = surface.sides();
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    if (rows(s, 0) > 0) continue;
-    const double found = stiffness(sides[s].block, sides[s].element) / sides[s].height;
-    rows(s, 0) = found > 0 ? found : penalty / penalty_factor;  // soil without stress may have no stiffness yet
+    double &present = rows(s, 0), &factor = rows(s, 1);
+    if (penalty > 0) {
+      present = penalty;
+      factor = 0;
+      continue;
+    }
+    const bool automatic = present > 0 && factor > 0;
+    if (automatic && std::abs(factor / penalty_factor - 1) < rounding) continue;
+    present = automatic ? present * (penalty_factor / factor)
+                        : penalty_factor * stiffness(sides[s].block, sides[s].element) / sides[s].height;
+    factor = penalty_factor;
   }
 }
 

@@ -21,16 +21,14 @@ struct EnforcementParameters {
   int most_augmentations = 50;
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   void parameters(Parameters& p);
-  /// Declares the stiffness of the soil over the height of its elements [Pa/m] for a surface, "<prefix>stiffness" with
-  /// a row per side; returns the handle.
-  static int declare_stiffness(StateStore& store, const std::string& prefix, const Mesh& mesh,
+  /// Declares the penalties of a surface, "<prefix>penalty" with a row per side: the penalty, and the factor that made
+  /// it automatically (0: it is the deck's). Returns the handle.
+  static int declare_penalties(StateStore& store, const std::string& prefix, const Mesh& mesh,
                                const std::string& surface);
-  /// Fills the rows (side, 0) that have none yet: it stays as it was when the contact first started a step. With a
-  /// given penalty every row is positive afterwards. `stiffness`: of the soil by block and element [Pa].
-  void freeze_stiffness(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
-                        const PointView& rows) const;
-  /// The penalty of a side [Pa/m] with this frozen stiffness.
-  double penalty_of(double frozen) const { return penalty > 0 ? penalty : penalty_factor * frozen; }
+  /// Sets the rows. An automatic penalty stays as it was when the contact first started a step, unless a restart has
+  /// another factor. `stiffness`: of the soil by block and element [Pa].
+  void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
+                       const PointView& rows) const;
   /// InputError for two penalties, and for entries that have no meaning with the penalty method.
   void check(const Section& section) const;
 };

@@ -67,7 +67,7 @@ void PairContact::declare_state(StateStore& store) {
   sides_ = store.declare(on_corners("/sides", columns).then_evaluated());
   multipliers_ =
       store.declare(on_corners("/multipliers", {{"normal", 1, "Pa", Transfer::value, 0.0}, {"shear", 1, "Pa"}}));
-  stiffness_ = deck_.declare_stiffness(store, name() + "/", slave_->mesh(), deck_.slave);
+  penalties_ = deck_.declare_penalties(store, name() + "/", slave_->mesh(), deck_.slave);
   heat_ = store.declare(
       ArrayInfo::of_sum(name() + "/heat", {{"friction heat", 1, "J"}, {"damping heat", 1, "J"}}).not_shown());
 }
@@ -94,7 +94,7 @@ void PairContact::sparsity(Assembler& assembler) {
 void PairContact::begin(const StepView& view) {
   const auto& sides = slave_->sides();
   const PointView& multipliers = view.trial->arrays[multipliers_];
-  deck_.freeze_stiffness(*slave_, context_.stiffness, view.trial->arrays[stiffness_]);
+  deck_.start_penalties(*slave_, context_.stiffness, view.trial->arrays[penalties_]);
   // the spring of friction starts unstretched from the stress that the step before left
   for (std::size_t row = 0; row < multipliers.extent(0); ++row)
     multipliers(row, 1) = view.committed->arrays[sides_](row, column::shear);
@@ -118,7 +118,7 @@ PairCoordinates PairContact::coordinates(const Pair& pair, const ConstCoordinate
 PairLaw PairContact::law(const StepView& view, int slave) const {
   PairLaw result;
   static_cast<ContactPointLaw&>(result) = laws_.in_step(view, deck_.damping);
-  result.penalty = deck_.penalty_of(view.trial->arrays[stiffness_](slave, 0));
+  result.penalty = view.trial->arrays[penalties_](slave, 0);
   result.touch = touch_;
   result.first_guess = predicting_;
   result.nodes = nodes_;
@@ -303,7 +303,7 @@ Misfit PairContact::misfit(const State& state) const {
   MisfitSums sums(slave_->mesh());
   for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
     const auto whole = mass(static_cast<int>(s), state.coordinates);
-    const double stiffness = deck_.penalty_of(state.arrays[stiffness_](s, 0));
+    const double stiffness = state.arrays[penalties_](s, 0);
     for (int a = 0; a < side_multipliers; ++a) {
       const int row = side_multipliers * static_cast<int>(s) + a;
       sums.spring = std::max(sums.spring, rows(row, column::pressure) / stiffness);

@@ -93,7 +93,7 @@ class PairContact : public Contact {
   QuadratureRule rule_;                                             // on a segment
   int nodes_ = 3;                                                   // of a side
   double gap_tolerance_ = 0, capture_ = 0, touch_ = 0;              // [m]
-  int sides_ = -1, multipliers_ = -1, stiffness_ = -1, heat_ = -1;  // state handles
+  int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles
 };
 
 /// Columns of the array "sides".

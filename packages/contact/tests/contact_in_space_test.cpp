@@ -87,9 +87,9 @@ TEST_P(ContactInSpace, HeightsAreThoseOfTheCells) {
   ContactModel model(Geometry::space, block(GetParam()), plate("", "0, 0, -0.01"),
                      text_parameter("body", "b") + text_parameter("surface", "surface"), [](int, int) { return 3e5; });
   model.begin(1);
-  const PointView& rows = model.store.trial().arrays[model.store.find("contact/c/stiffness")];
+  const PointView& rows = model.store.trial().arrays[model.store.find("contact/c/penalty")];
   ASSERT_GT(rows.extent(0), 0u);
-  for (std::size_t s = 0; s < rows.extent(0); ++s) EXPECT_NEAR(3e5 / rows(s, 0), 0.5, 1e-12);
+  for (std::size_t s = 0; s < rows.extent(0); ++s) EXPECT_NEAR(10 * 3e5 / rows(s, 0), 0.5, 1e-12);
 }
 
 TEST_P(ContactInSpace, JacobianIsTheDifferencedResidual) {

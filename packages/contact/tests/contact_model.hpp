@@ -76,8 +76,6 @@ inline GlobalMesh box_in_space(const std::string& cell, const std::string& cells
 /// Mesh section of a deck in space, so that points have three coordinates.
 inline std::string space_xml() { return section_xml("mesh", text_parameter("geometry", geometry_in_space)); }
 
-inline double no_stiffness(int, int) { return 0; }
-
 /// A soil strip, one body and one contact, which the test takes through steps as a stepper would. `warm`: with
 /// temperature, effective stress and undrained strength.
 struct ContactModel {
@@ -107,9 +105,8 @@ struct ContactModel {
     if (warm) strength = [](const State&, int, int, const Point& at) { return 2000 + 500 * at[0]; };
     contact = registry.create(
         deck.deck.root().section("contacts").section("c"),
-        {space, bodies_, frictions, normal_laws, stiffness ? std::move(stiffness) : no_stiffness,
-         std::move(water_weight), [stress](const State&, int, int, const Point& at) { return stress(at); },
-         std::move(strength)});
+        {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
+         [stress](const State&, int, int, const Point& at) { return stress(at); }, std::move(strength)});
     bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);
