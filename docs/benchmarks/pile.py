@@ -19,15 +19,25 @@ DEPTHS = (1.2, 3.0, 5.0)  # of the foot [diameters]
 KPA = 1e-3
 
 
+def contour(fields, step):
+    """The outline of the pile in an output [m]."""
+    (outline,) = fields.bodies(step).values()
+    return outline
+
+
+def excess_pressure(fields, step):
+    """At the nodes of an output [kPa]."""
+    return fields.fields(step)["excess pore pressure"].values * KPA
+
+
 def draw_field(panel, fields, step, scale):
     """Excess pore pressure with the mesh, and the pile. Returns the colours."""
     mesh, (x, y) = fields.mesh(step), fields.coordinates(step).T
     corners = mesh["topology"][:].reshape(-1, 7)[:, 1:4].astype(int)
-    excess = fields.fields(step)["excess pore pressure"].values * KPA
-    colours = panel.tripcolor(x, y, corners, excess, shading="gouraud", vmin=-scale, vmax=scale, cmap="RdBu_r")
+    colours = panel.tripcolor(x, y, corners, excess_pressure(fields, step), shading="gouraud",
+                              vmin=-scale, vmax=scale, cmap="RdBu_r")
     panel.triplot(x, y, corners, lw=0.25, color="k")
-    (contour,) = fields.bodies(step).values()
-    panel.fill(*contour.T, color="0.75", ec="k", lw=1)
+    panel.fill(*contour(fields, step).T, color="0.75", ec="k", lw=1)
     return colours
 
 
@@ -36,12 +46,13 @@ def main():
     result = Result(stem)
     fields, history = result.fields, result.history
     pushed = [step for step, stage in enumerate(fields.stages) if stage == "push"]
-    feet = -np.array([next(iter(fields.bodies(step).values()))[:, 1].min() for step in pushed])
-    diameter = 2 * next(iter(fields.bodies(0).values()))[:, 0].max()
-    figure, axes = plt.subplots(1, 4, figsize=(10, 5.2), layout="constrained", gridspec_kw={"width_ratios": (1, 1, 1, 1.35)})
-    scale = 10 * np.ceil(0.1 * max(np.abs(fields.fields(step)["excess pore pressure"].values).max() * KPA for step in pushed))
-    for panel, depth in zip(axes, DEPTHS):
-        step = pushed[int(np.argmin(np.abs(feet - depth * diameter)))]
+    feet = -np.array([contour(fields, step)[:, 1].min() for step in pushed])
+    diameter = 2 * contour(fields, 0)[:, 0].max()
+    drawn = [pushed[int(np.argmin(np.abs(feet - depth * diameter)))] for depth in DEPTHS]
+    scale = 10 * np.ceil(0.1 * max(np.abs(excess_pressure(fields, step)).max() for step in drawn))
+    figure, axes = plt.subplots(1, 4, figsize=(10, 5.2), layout="constrained",
+                                gridspec_kw={"width_ratios": (1, 1, 1, 1.35)})
+    for panel, depth, step in zip(axes, DEPTHS, drawn):
         colours = draw_field(panel, fields, step, scale)
         panel.set(xlim=(0, 2.5 * diameter), ylim=(-6.8 * diameter, 0.6 * diameter), aspect="equal", xlabel="r [m]",
                   title=f"{depth:g} diameters")

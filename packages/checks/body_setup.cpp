@@ -55,6 +55,14 @@ std::pair<double, Point> nearest(const RigidBody& body, const Point& x) {
 
 }  // namespace
 
+StartingExtent::StartingExtent(const RigidBody& body) {
+  const BodyPlacement start = body.initial_placement();
+  for (const Point& p : body.outline(start)) box.enclose(p);
+  Point vertical{};
+  vertical[body.dimension() - 1] = 1;
+  shadow = body.shadow(start, vertical);
+}
+
 BodySetup::BodySetup(const Setup& setup, const RigidBody& body)
     : model(setup.model()),
       body(body),
@@ -68,11 +76,10 @@ BodySetup::BodySetup(const Setup& setup, const RigidBody& body)
 }
 
 void BodySetup::find_box() {
-  for (const Point& p : body.outline(body.initial_placement())) box.enclose(p);
+  const StartingExtent extent(body);
+  box = extent.box;
+  shadow = extent.shadow;
   for (int i = 0; i < dim; ++i) size = std::max(size, length_of(i));
-  Point vertical{};
-  vertical[up] = 1;
-  shadow = body.shadow(body.initial_placement(), vertical);
   width = shadow.width;
 }
 

@@ -8,6 +8,13 @@
 
 namespace mudline {
 
+/// Extent of a body at the start.
+struct StartingExtent {
+  explicit StartingExtent(const RigidBody& body);
+  Bounds box = Bounds::nothing();  // [m]
+  Shadow shadow;                   // shadow along the vertical axis
+};
+
 /// A body before the first step, in the plane or in space: its place, the surfaces that it may touch, and its motions
 /// in the stages.
 struct BodySetup {

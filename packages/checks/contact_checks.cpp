@@ -132,18 +132,28 @@ void tangential(const ContactSetup& of, const Judge& judge) {
               judge);
 }
 
-/// A place below the surface, as deep as the body is wide.
-Point below_surface(const ContactSetup& of) {
-  const RigidBody& body = *of.partners.body;
-  const BodyPlacement start = body.initial_placement();
-  Bounds box = Bounds::nothing();
-  for (const Point& p : body.outline(start)) box.enclose(p);
-  const int up = body.dimension() - 1;
-  Point vertical{}, place = 0.5 * (box.low + box.high);
-  vertical[up] = 1;
+/// Whether a condition acts in a stage in which the contact does.
+bool acts_beside(const ContactSetup& of, const std::string& condition) {
+  const auto& stages = of.model.stages();
+  return std::any_of(stages.begin(), stages.end(), [&](const auto& stage) {
+    return Setup::acts(condition, *stage) && std::count(stage->contacts.begin(), stage->contacts.end(), of.name) > 0;
+  });
+}
+
+/// Size [Pa] of a load of a condition as deep below the surface as the body is wide, or at the surface where the soil
+/// carries the load along: the larger of the start and the end of the run.
+double load_beside_body(const ContactSetup& of, const Section& condition, const char* component) {
+  const int up = of.model.mesh().dimension() - 1;
+  const StartingExtent extent(*of.partners.body);
+  Point place = 0.5 * (extent.box.low + extent.box.high);
   if (of.model.mesh().geometry() == Geometry::axisymmetric) place[0] = 0;
-  place[up] = of.soil.top - body.shadow(start, vertical).width;
-  return place;
+  const bool follows = condition.has_parameter("position") && condition.text("position") == "present";
+  place[up] = of.soil.top - (follows ? extent.shadow.width : 0.0);
+  double end = 0;
+  for (const auto& stage : of.model.stages()) end += stage->duration;
+  Function load;
+  Parameters(condition).add(component, load, "", "");
+  return std::max(std::abs(load(0, place)), std::abs(load(end, place)));
 }
 
 /// A load on the soil that also acts where the body covers it reduces the contact pressure, from which friction
@@ -151,39 +161,26 @@ Point below_surface(const ContactSetup& of) {
 void surcharge(const ContactSetup& of, const Judge& judge) {
   const Section conditions = of.deck.section("boundary conditions");
   const double coefficient = number_in(friction_of(of), "coefficient", 0);
-  if (of.partners.body == nullptr || !(coefficient > 0)) return;
+  const bool known = of.soil.strength > 0;
+  const double bears = known ? of.soil.strength : strength_over_modulus * of.soil.modulus;
+  if (of.partners.body == nullptr || !(coefficient > 0) || !(bears > 0)) return;
+  const char* up = of.model.mesh().dimension() == 3 ? "z" : "y";
   for (const std::string& name : conditions.section_names()) {
     const Section entry = conditions.section(name);
     const std::string type = entry.text("type");
     if ((type != "pressure" && type != "traction") || !entry.has_parameter("set") ||
-        entry.text("set") != of.partners.surface)
+        entry.text("set") != of.partners.surface || !acts_beside(of, name))
       continue;
-    bool together = false;
-    double time = 0;
-    for (const auto& stage : of.model.stages()) {
-      together = together ||
-                 (Setup::acts(name, *stage) && std::count(stage->contacts.begin(), stage->contacts.end(), of.name) > 0);
-      time += stage->duration;
-    }
-    const char* component = type == "pressure" ? "value" : of.model.mesh().dimension() == 3 ? "z" : "y";
-    Function load;
-    Parameters(entry).add(component, load, "", "");
-    const bool carried = !entry.has_parameter("position") || entry.text("position") != "present";
-    Point place = below_surface(of);
-    if (carried) place[of.model.mesh().dimension() - 1] = of.soil.top;
-    const double most = std::max(std::abs(load(0, place)), std::abs(load(time, place)));
-    const double bears = of.soil.strength > 0 ? of.soil.strength : strength_over_modulus * of.soil.modulus;
-    if (together && bears > 0)
-      judge(
-          coefficient * most / bears,
-          of.called() + ": condition '" + name + "' loads the soil with " + readable(most, "Pa", 3) +
+    const double load = load_beside_body(of, entry, type == "pressure" ? "value" : up);
+    judge(coefficient * load / bears,
+          of.called() + ": condition '" + name + "' loads the soil with " + readable(load, "Pa", 3) +
               " also where the body covers it, and friction does not see that part of the effective stress: it lacks " +
-              readable(coefficient * most, "Pa", 3) + ". Over the soil's " +
-              (of.soil.strength > 0 ? "undrained strength, " : "strength, taken as a hundredth of its modulus, ") +
+              readable(coefficient * load, "Pa", 3) + ". Over the soil's " +
+              (known ? "undrained strength, " : "strength, taken as a hundredth of its modulus, ") +
               readable(bears, "Pa", 3) + ", this",
           "let the load fade with depth, so that it acts beside the body alone: 'position' = present and a 'value' "
           "such as \"10e3 * min(1, max(0, 1 + " +
-              std::string(of.model.mesh().dimension() == 3 ? "z" : "y") + "/0.4))\"");
+              std::string(up) + "/0.4))\"");
   }
 }
 

@@ -117,8 +117,9 @@ DECKS = [
     setting("set: parameter", "stages/push/durations=3", "stages/push/durations: unknown parameter (did you mean 'duration'?)", ranks=BOTH),
     setting("set: no value", "stages/push/duration", "expected section/parameter=value, such as stages/push/duration=2.0"),
     setting("set: wrong type", "stages/push/duration=long", "stages/push/duration: expected a number (double), given the string 'long'"),
-    setting("set: an expression without braces", "solver/linear tolerance=1e-4*2", "solver/linear tolerance: expected a number "
-            "(double), given the string '1e-4*2'; an expression has the type double, and in a setting it stands in braces, \"{1e-4*2}\""),
+    setting("set: an expression without braces", "solver/linear tolerance=1e-4*2",
+            "solver/linear tolerance: expected a number (double), given the string '1e-4*2'; an expression has the type "
+            "double, and in a setting it stands in braces, \"{1e-4*2}\""),
     setting("set: a section", "stages/push=3", "stages/push: a section; only parameters can be set"),
     setting("set: out of range", "solver/residual tolerance=2", "solver/residual tolerance: 2 is out of range; allowed: (0, 1)"),
 ]

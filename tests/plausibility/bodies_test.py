@@ -91,7 +91,7 @@ MISTAKES = [
     ("pushed", {TOUCH + "friction/cap": 5.0}, "friction cap"),
     ("pushed", {TOUCH + "friction/tangential penalty factor": 1e-4}, "tangential penalty"),
     ("pushed", {"boundary conditions/weight": WEIGHT}, "load under friction"),
-    ("pushed", {"boundary conditions/weight": dict(WEIGHT, value=2e3)}, "load under friction"),  # two fifths of the strength
+    ("pushed", {"boundary conditions/weight": dict(WEIGHT, value=2e3)}, "load under friction"),  # 2/5 of the strength
     ("pushed", {TOUCH + "capture distance": 1e-3}, "capture distance"),
     ("pushed", {TOUCH + "advance limit": 50.0}, "advance limit"),
     ("pushed", {**SATURATED, TOUCH + "sealing gap": 20.0}, "sealing gap"),

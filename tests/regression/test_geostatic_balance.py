@@ -17,8 +17,8 @@ class GeostaticBalance(MudlineCase):
                        folder=self.folder)
 
     def traction(self, factor):
-        """An overlay that holds the tip by the traction of the initial state times a factor, on an ogive, instead of the support. The
-        deck's surcharge, which fades with depth, acts there too."""
+        """An overlay that holds the tip by the traction of the initial state times a factor, on an ogive, instead of
+        the support. The deck's surcharge, which fades with depth, acts there too."""
         surcharge, vertical = "10e3*max(0, 1+y/1.07)", "(10e3-7250.9*y)"
         return self.write("traction.xml", deck_text("traction", {"boundary conditions": {"tip at rest": {
             "type": "traction", "x": f"{factor}*(0.6*{vertical}-{surcharge})*(x+4.01255)/4.54755",

@@ -105,7 +105,8 @@ class Model(RestartCase):
                      *settings("contacts/ball on clay/quadrature degree=9"))
 
     def test_an_accepted_penalty_acts(self):
-        """A tenth of the penalty lets the body into the surface by far more. The automatic one is a factor on the stiffness of the start."""
+        """A tenth of the penalty lets the body into the surface by far more. The automatic one is a factor on the
+        stiffness of the start."""
         with open(self.result("ball", ".restart"), "rb") as file:
             before = file.read()
         into = {}

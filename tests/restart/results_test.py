@@ -77,9 +77,10 @@ class Sounding(RestartCase):
         history = History(self.result("cone", ".csv"))
         tip = history["body/cone/position y"]
         net, u2 = (history[f"cone/sounding/{name}"] for name in ("net cone resistance", "excess pore pressure u2"))
-        # the reaction contains the weight of what lay above, as far as the load on the surface has given way to the cone
+        # the reaction contains the weight of what lay above, as far as the load there has given way to the cone
         overburden = (2e3 + 1.3e3 * 10) / (1.3e3 / 6e3) * np.clip(-tip / 0.0357, 0, 1) - 6e3 * tip
-        np.testing.assert_allclose(net, history["contact/cone/tip reaction y"] / self.AREA - overburden, rtol=1e-9, atol=1e-7)
+        total = history["contact/cone/tip reaction y"] / self.AREA
+        np.testing.assert_allclose(net, total - overburden, rtol=1e-9, atol=1e-7)
         np.testing.assert_allclose(history["cone/sounding/cone factor"], net / (2e3 + 1.3e3 * (10 - tip)), rtol=1e-9)
         np.testing.assert_allclose(history["cone/sounding/pore pressure ratio"], u2 / np.where(net > 0, net, np.inf), rtol=1e-9, atol=1e-12)
         end = int(np.argmax(history.time > 0.3 * 0.0357 / 0.02 * (1 + 1e-9))) - 1  # last row of the push

@@ -76,7 +76,8 @@ class Ends(RestartCase):
         """It is slow at one step, but changes by 0.09 m/s within it."""
         rest = self.ends("fall", type="at rest", body="anchor", speed=0.08)
         done = self.mudline(*ANCHOR, rest, *settings("stages/fall/duration=0.1", "output/name=anchor"), "--steps", "60")
-        self.assertIn("stage 'fall' ends with its duration of 0.1 s: nothing of its 'ends when' was reached", done.stderr)
+        self.assertIn("stage 'fall' ends with its duration of 0.1 s: nothing of its 'ends when' was reached",
+                      done.stderr)
         anchor = History(self.result("anchor", ".csv"))
         speed = np.abs(anchor["body/anchor/velocity y"])[1:51]
         self.assertLess(speed.min(), 0.05)
