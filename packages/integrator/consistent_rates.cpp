@@ -12,12 +12,12 @@ namespace mudline {
 namespace {
 
 /// Prescribes the fields whose rate matrix has a zero row, so that it is singular. Returns whether there are any.
-bool hold_fields_without_rates(const StepSystem& system, const CrsMatrix& rate_matrix) {
+bool hold_fields_without_rates(const StepSystem& system) {
   const DofMap& dofs = *system.space().dofs();
   const Constraints& constraints = system.constraints();
   bool held = false;
   Vector diagonal(system.map());
-  rate_matrix.getLocalDiagCopy(diagonal);
+  system.terms().matrix()->getLocalDiagCopy(diagonal);
   const auto data = diagonal.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (int f = 0; f < system.space().num_fields(); ++f) {
     double smallest = 1e300;
@@ -31,13 +31,38 @@ bool hold_fields_without_rates(const StepSystem& system, const CrsMatrix& rate_m
   return held;
 }
 
+/// Evaluates the terms at the start of `request`, with zero accelerations and first-order rates. Returns false if they
+/// cannot be evaluated. Collective.
+bool evaluate_at_rest(StepSystem& system, const StepRequest& request) {
+  system.forget_evaluation();
+  system.forget_jacobian();
+  system.frame().prepare(standing_still(true), StepView::Kind::initial_rates);
+  system.frame().constrain(request);
+  system.frame().rest();
+  ActingTerms& terms = system.terms();
+  terms.begin(system.view());
+  return sum_over_ranks(*system.space().dofs()->comm(), terms.evaluate(system.view(), system.scheme().alpha_f)) == 0;
+}
+
+/// Solves for the rates and accelerations of the unknowns that are not constrained. Collective.
+bool solve_rates(StepSystem& system, double tolerance, Vector& rates) {
+  const NodalView total = system.terms().total();
+  const Constraints& constraints = system.constraints();
+  for (std::size_t i = 0; i < total.extent(0); ++i) total(i) = constraints.mask(i) ? 0.0 : -total(i);
+  Vector right(system.map());
+  export_overlap(*system.space().dofs(), total, right);
+  rates.putScalar(0);
+  return right.norm2() == 0 || system.solve_apart(right, tolerance, rates);
+}
+
 }  // namespace
 
 bool give_consistent_rates(StepSystem& system, const StepRequest& request, double linear_tolerance) {
-  if (!system.begin_rates(request)) return false;
-  if (hold_fields_without_rates(system, system.rate_matrix())) system.rate_matrix();
+  if (!evaluate_at_rest(system, request)) return false;
+  system.terms().add_rate_matrices(system.view());
+  if (hold_fields_without_rates(system)) system.terms().add_rate_matrices(system.view());
   Vector rates(system.map());
-  if (!system.solve_rates(linear_tolerance, rates)) return false;
+  if (!solve_rates(system, linear_tolerance, rates)) return false;
   if (rates.norm2() == 0) return true;
   const Space& space = system.space();
   const State& state = system.store().committed();

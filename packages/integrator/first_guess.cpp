@@ -110,7 +110,7 @@ bool FirstGuess::iterate(Vector& x, Vector& f, const std::vector<double>& before
 }
 
 void FirstGuess::predict(Vector& x) {
-  const std::vector<Unilateral*>& unilateral = system_.unilateral();
+  const std::vector<Unilateral*>& unilateral = system_.terms().unilateral();
   const bool asked = std::any_of(unilateral.begin(), unilateral.end(),
                                  [](const Unilateral* term) { return term->asks_for_prediction(); });
   for (Unilateral* term : unilateral) term->predicting(asked);
@@ -125,9 +125,10 @@ void FirstGuess::predict(Vector& x) {
 bool FirstGuess::rests() const {
   const State &trial = system_.store().trial(), &committed = system_.store().committed();
   double sums[2] = {0, 0};  // squares of F at rest minus F_n, and of F_n, on this rank
-  for (int k = 0; k < static_cast<int>(system_.active().size()); ++k) {
-    const int slot = system_.history_slot(k);
-    if (slot < 0 || !face<History>(*system_.active()[k])->may_relax()) continue;
+  const ActingTerms& terms = system_.terms();
+  for (int k = 0; k < static_cast<int>(terms.active().size()); ++k) {
+    const int slot = terms.history_slot(k);
+    if (slot < 0 || !face<History>(*terms.active()[k])->may_relax()) continue;
     const NodalView now = trial.history_forces[slot], old = committed.history_forces[slot];
     const auto here = ordered_sum<2>("rests", 0, static_cast<int>(old.extent(0)), SquaresOfChange{now, old});
     for (int n = 0; n < 2; ++n) sums[n] += here[n];

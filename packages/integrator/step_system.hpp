@@ -5,34 +5,24 @@
 #include <vector>
 
 #include "algebra/linear_solver.hpp"
-#include "framework/constraints.hpp"
-#include "framework/term_faces.hpp"
+#include "integrator/acting_terms.hpp"
 #include "integrator/chord.hpp"
 #include "integrator/convergence.hpp"
 #include "integrator/elastic_share.hpp"
 #include "integrator/forcing.hpp"
-#include "integrator/levels.hpp"
 #include "integrator/newton.hpp"
-#include "integrator/time_scheme.hpp"
+#include "integrator/step_frame.hpp"
 
 namespace mudline {
-
-/// Definition of one step.
-struct StepRequest {
-  double dt;  // [s]
-  TimeScheme scheme;
-  /// Prescribed unknowns at the end of the step.
-  std::function<void(double t_old, double t_end, const State& committed, Constraints&)> prescribe;
-};
 
 /// Wall-clock seconds of this rank spent so far.
 struct StepTimes {
   double residual = 0, jacobian = 0, linear = 0;
 };
 
-/// The nonlinear system of one step: the sum of the active terms, evaluated at the integrator's levels. It translates
-/// between the unknown x (the value at the end of the step) and the levels that terms see, and fills the trial state;
-/// the committed one is only read.
+/// The nonlinear system of one step: the sum of the active terms, evaluated at the integrator's levels, and the linear
+/// systems of its iterations. Its frame translates between the unknown x (the value at the end of the step) and the
+/// levels that terms see; its terms give forces and matrices. It fills the trial state; the committed one is only read.
 class StepSystem : public NonlinearProblem {
  public:
   /// Registers the terms' arrays and sparsity. `space`, `store`, `terms` and `solver` must outlive it; `block_data`
@@ -66,14 +56,9 @@ class StepSystem : public NonlinearProblem {
   bool complete();
   /// Forgets all that was learnt from earlier linear solves.
   void forget_solver();
-
-  /// Begins the computation of rates at the start of `request`: evaluates the terms at the committed state with zero
-  /// accelerations and first-order rates. Returns false if they cannot be evaluated. Collective.
-  bool begin_rates(const StepRequest& request);
-  /// Assembles the matrix of inertia and storage, from the terms that are not history terms.
-  const CrsMatrix& rate_matrix();
-  /// Solves for the rates and accelerations of the unknowns that are not constrained. Collective.
-  bool solve_rates(double tolerance, Vector& rates);
+  /// Solves once, with the matrix that the terms assembled last; solves before and after know nothing of it. False
+  /// where it does not converge. Collective.
+  bool solve_apart(const Vector& right, double tolerance, Vector& x);
 
   /// Restores the linear solver from solver_memory() of the run that is continued.
   void restore_solver(const std::vector<double>& memory);
@@ -81,28 +66,20 @@ class StepSystem : public NonlinearProblem {
   /// exactly as a restarted one would.
   std::vector<double> solver_memory();
 
-  // Results of the last evaluation; after a step they stay until the next one begins.
-  const StepView& view() const { return view_; }
-  const TimeScheme& scheme() const { return scheme_; }
-  const std::vector<Term*>& active() const { return active_; }
-  const std::vector<Reports*>& reports() const { return reports_; }
-  const std::vector<Unilateral*>& unilateral() const { return unilateral_; }
-  /// Largest step that the active terms accept from the committed state, at most `dt` [s]. Collective.
-  double step_limit(double dt) const;
+  /// The parts; after a step they keep the results of its last evaluation until the next one begins.
+  StepFrame& frame() { return frame_; }
+  ActingTerms& terms() { return terms_; }
+  const ActingTerms& terms() const { return terms_; }
+  Convergence& convergence() { return convergence_; }
+  const StepView& view() const { return frame_.view(); }
+  const TimeScheme& scheme() const { return frame_.scheme(); }
+  const Constraints& constraints() const { return frame_.constraints(); }
+  const Space& space() const { return space_; }
+  StateStore& store() const { return store_; }
   /// Why the last evaluation, Jacobian or linear solve failed; "" if none did.
   const std::string& failure() const { return failure_; }
   /// Messages of the active terms about a failed last evaluation, "; ..." each; "" if there are none. Collective.
-  std::string hints() const;
-  /// Alpha-level contribution of active term k (history terms: interpolated), this rank's part, by overlap dof.
-  NodalView term_force(int k) const { return force_[k]; }
-  /// Index of the F_n of active term k in State::history_forces; -1 where it has none.
-  int history_slot(int k) const;
-  /// Sum over the terms at constrained dofs: the reaction, this rank's part; zero elsewhere.
-  NodalView reaction() const { return reaction_; }
-  const Constraints& constraints() const { return constraints_; }
-  const Space& space() const { return space_; }
-  StateStore& store() const { return store_; }
-  Convergence& convergence() { return convergence_; }
+  std::string hints() const { return terms_.hints(view()); }
   /// Iterations of linear solves, and factorisations, in the present step.
   int linear_iterations() const { return linear_iterations_; }
   int factorisations() const { return factorisations_; }
@@ -126,48 +103,21 @@ class StepSystem : public NonlinearProblem {
   void observe(double worst) override;
 
  private:
-  void prepare_view(const StepRequest& request, StepView::Kind kind);
-  void set_sensitivities();
-  void constrain(const StepRequest& request);
-  /// Finds the pressure of the water outside open unknowns at the balance level. Collective.
-  void find_outside(const StepRequest& request);
-  /// Fills the level views and the trial's nodal part from x.
-  void levels(const Vector& x);
-  /// Sets all levels to the committed state, with zero accelerations and first-order rates; sensitivities are to these
-  /// only.
-  void levels_at_rest();
+  /// Begins an evaluation of the terms at the committed state, at rest. Collective.
+  void begin_rest();
   /// Discards the present Jacobian if the coming step has another step size, scheme or set of free unknowns.
   void check_chord();
   /// Whether the trial state was last evaluated at exactly x. Collective.
   bool is_evaluated_at(const Vector& x) const;
-  /// Returns the number of points on this rank where a term failed.
-  int evaluate_terms();
-  /// Evaluates Term::residual into `force` through `to`; a term that throws or returns a non-finite value counts as
-  /// failed.
-  int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
-  /// Assembles the matrices of all active terms. Returns false, with the reason in failure_, where a term throws on
-  /// some rank. Collective.
-  bool add_matrices();
+  void use_matrix();
 
   const Space& space_;
   StateStore& store_;
-  std::vector<Term*> terms_, active_;
-  std::vector<int> history_slot_;        // by term: index of its F_n, -1
-  std::vector<History*> history_;        // by slot
-  std::vector<Unilateral*> unilateral_;  // faces of the active terms, like the next two
-  std::vector<Foresees*> foresees_;
-  std::vector<Reports*> reports_;
   LinearSolver& solver_;
   std::function<BlockData(const StepView&)> block_data_;
-  Assembler assembler_;
-  StepView view_;
-  TimeScheme scheme_;
-  Constraints constraints_;
+  ActingTerms terms_;
+  StepFrame frame_;
   Convergence convergence_;
-  Levels levels_;
-  NodalView reaction_, total_, acting_, whole_, passing_;
-  NodalView outside_;  // pressure of the water outside at the balance level
-  std::vector<NodalView> force_;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;

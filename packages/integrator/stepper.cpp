@@ -9,7 +9,7 @@ namespace mudline {
 
 Augmentation Stepper::augment(int count) {
   Augmentation all;
-  for (Unilateral* term : system_.unilateral()) {
+  for (Unilateral* term : system_.terms().unilateral()) {
     const Augmentation one = term->augment(system_.view(), count);
     all.again = all.again || one.again;
     if (all.refusal.empty()) all.refusal = one.refusal;

@@ -76,11 +76,11 @@ void Balances::jump(const std::function<void()>& change) {
 }
 
 void Balances::add_step() {
-  const StepSystem& system = model_.system();
-  const StepView& view = system.view();
+  const ActingTerms& acting = model_.system().terms();
+  const StepView& view = model_.system().view();
   const Space& space = model_.space();
   const int u = space.find("displacement"), p = space.find("pore pressure");
-  const int terms = static_cast<int>(system.active().size());
+  const int terms = static_cast<int>(acting.active().size());
   // this rank's shares: work by term, reaction work, outflow, excess work, force without inertia by direction
   const int by_reaction = terms, flown = terms + 1, excess = terms + 2, pushed = terms + 3;
   std::vector<double> local(pushed + axis_names.size(), 0.0);
@@ -88,7 +88,7 @@ void Balances::add_step() {
   // dissipation.
   std::vector<std::pair<NodalView, NodalView>> ends(terms);
   for (int k = 0; k < terms; ++k) {
-    const int slot = system.active()[k]->role() == Role::contact ? -1 : system.history_slot(k);
+    const int slot = acting.active()[k]->role() == Role::contact ? -1 : acting.history_slot(k);
     if (slot >= 0)
       ends[k] = {model_.store().committed().history_forces[slot], model_.store().trial().history_forces[slot]};
   }
@@ -96,13 +96,13 @@ void Balances::add_step() {
     const double du = view.value_end(i) - view.value_old(i);
     const bool pushes = direction < dimension();  // a moment adds no linear momentum
     for (int k = 0; k < terms; ++k) {
-      const double force = system.term_force(k)(i);
+      const double force = acting.force(k)(i);
       local[k] += force * du;
       if (ends[k].first.extent(0) > 0) local[excess] += (force - 0.5 * (ends[k].first(i) + ends[k].second(i))) * du;
-      if (pushes && system.active()[k]->role() != Role::inertia) local[pushed + direction] -= force;
+      if (pushes && acting.active()[k]->role() != Role::inertia) local[pushed + direction] -= force;
     }
-    local[by_reaction] += system.reaction()(i) * du;
-    if (pushes) local[pushed + direction] += system.reaction()(i);
+    local[by_reaction] += acting.reaction()(i) * du;
+    if (pushes) local[pushed + direction] += acting.reaction()(i);
   };
   if (u >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
@@ -115,7 +115,7 @@ void Balances::add_step() {
       for (int i = begin; i < end; ++i) local[flown] += outflow_at(i);
   const std::vector<double> total = sum_over_ranks(*space.dofs()->comm(), local);
   const PointView rows = model_.store().trial().arrays[handle_];
-  for (int k = 0; k < terms; ++k) rows(row_of(system.active()[k]), 0) += total[k];
+  for (int k = 0; k < terms; ++k) rows(row_of(acting.active()[k]), 0) += total[k];
   rows(reaction_work, 0) += total[by_reaction];
   rows(excess_work, 0) += view.inertia ? total[excess] : 0.0;
   rows(outflow, 0) += view.flow ? total[flown] * view.dt : 0.0;
@@ -125,10 +125,10 @@ void Balances::add_step() {
 }
 
 double Balances::outflow_at(int dof) const {
-  const StepSystem& system = model_.system();
-  double out = -system.reaction()(dof);  // through prescribed nodes
-  for (std::size_t k = 0; k < system.active().size(); ++k)
-    if (exchanges(*system.active()[k])) out += system.term_force(static_cast<int>(k))(dof);
+  const ActingTerms& acting = model_.system().terms();
+  double out = -acting.reaction()(dof);  // through prescribed nodes
+  for (std::size_t k = 0; k < acting.active().size(); ++k)
+    if (exchanges(*acting.active()[k])) out += acting.force(static_cast<int>(k))(dof);
   return out;
 }
 

@@ -71,7 +71,7 @@ DiscretisationError::Resisted DiscretisationError::resisted(const Motion& motion
     return {std::abs(result.power), length(velocity)};
   }
   // reaction times rate, summed over nodes as the condition sums its reactions
-  const NodalView& reaction = model_.system().reaction();
+  const NodalView& reaction = model_.system().terms().reaction();
   NodalView power("power", reaction.extent(0));
   for (std::size_t i = 0; i < power.extent(0); ++i) power(i) = reaction(i) * state.rate(i);
   Report shares;

@@ -288,7 +288,7 @@ void Run::reset_displacements() {
 
 double Run::choose_dt(const Stage& stage) const {
   const double time = model_->store().committed().time, end = progress_.stage_start + stage.duration;
-  const double dt = model_->system().step_limit(std::min(progress_.next_dt, stage.control.maximum));
+  const double dt = model_->system().terms().step_limit(std::min(progress_.next_dt, stage.control.maximum));
   const double left = end - time;
   if (dt > left * (1 - 1e-9)) return left;
   // two equal last steps instead of a full one and a sliver

@@ -9,8 +9,8 @@ namespace mudline {
 Report report_of_step(Model& model) {
   Report report;
   const StepView& view = model.system().view();
-  for (Reports* term : model.system().reports()) term->histories(view, report);
-  const auto& active = model.system().active();
+  for (Reports* term : model.system().terms().reports()) term->histories(view, report);
+  const auto& active = model.system().terms().active();
   for (const auto& [name, contact] : model.contacts()) {
     if (std::find(active.begin(), active.end(), contact.get()) != active.end()) continue;
     Report own;
@@ -19,7 +19,7 @@ Report report_of_step(Model& model) {
       report[key] = {quantity.unit, quantity.lasting ? quantity.value : 0.0, quantity.lasting};
   }
   Report shares;
-  for (const auto& condition : model.conditions()) condition->reactions(model.system().reaction(), shares);
+  for (const auto& condition : model.conditions()) condition->reactions(model.system().terms().reaction(), shares);
   for (const auto& [name, body] : model.bodies()) {
     const BodyUnknowns& unknowns = body->unknowns();
     const int axes = body->dimension();
@@ -28,7 +28,7 @@ Report report_of_step(Model& model) {
       const bool turns = direction >= axes;
       const std::string axis = turns && axes == 2 ? "" : " " + std::string(axis_names[direction % axes]);
       shares["body/" + name + (turns ? "/driving moment" : "/driving force") + axis] = {
-          turns ? "N m" : "N", model.system().reaction()(unknowns.dof[k]) / unknowns.scale[k]};
+          turns ? "N m" : "N", model.system().terms().reaction()(unknowns.dof[k]) / unknowns.scale[k]};
     }
   }
   for (const auto& [name, share] : shares)

@@ -39,7 +39,7 @@ StepReport attempt(Model& model, const Stage& stage, double& seconds) {
     return report;
   }
   StepRequest request;
-  request.dt = system.step_limit(std::min({stage.control.initial, stage.control.maximum, stage.duration}));
+  request.dt = system.terms().step_limit(std::min({stage.control.initial, stage.control.maximum, stage.duration}));
   request.scheme = stage.scheme(0);
   request.prescribe = [&](double t_old, double t_end, const State& committed, Constraints& to) {
     model.prescribe(stage, t_old, t_end, committed, to);

@@ -147,7 +147,7 @@ void check(const Case& c) {
   request.prescribe = [&](double t0, double t1, const State& committed, Constraints& to) {
     model.prescribe(stage, t0, t1, committed, to);
   };
-  std::vector<Term*> all = system.active();
+  std::vector<Term*> all = system.terms().active();
   std::vector<std::vector<Term*>> groups{all};
   for (Term* term : all) groups.push_back({term});
   for (const auto& group : groups) {
