@@ -144,6 +144,27 @@ std::string beyond_strength(const SoilMaterial& material, double k0, double vert
   return std::string(range) + ", what the strength of '" + material.law + under + " allows between active and passive";
 }
 
+/// Writes the start of a point into the arrays of its block, and starts its law; returns "" or the law's problem.
+std::string write_point(const SoilBlock& block, int row, const SoilMaterial& material, const InitialPoint& point,
+                        const State& state) {
+  const auto array = [&](int handle) { return state.arrays[handle]; };
+  if (block.origin >= 0) {
+    array(block.origin)(row, 0) = block.start(row, 0);
+    for (int c = 1; c < static_cast<int>(array(block.origin).extent(1)); ++c)
+      array(block.origin)(row, c) = point.position[c - 1];
+  }
+  for (int c = 0; c < 6; ++c) array(block.stress)(row, c) = point.stress[c];
+  if (block.permeability >= 0)
+    for (int c = 0; c < 6; ++c) array(block.permeability)(row, c) = material.permeability_ratios.tensor()[c];
+  array(block.void_ratio)(row, 0) = array(block.void_ratio)(row, 1) = point.void_ratio;
+  if (block.conductivity >= 0) {
+    const std::string problem = material.permeability->numbers_at(point.position, &array(block.conductivity)(row, 0));
+    if (!problem.empty()) return problem;
+  }
+  const PointView law = array(block.law);
+  return start_guarded(*material.skeleton, point, law.data() + row * law.extent(1));
+}
+
 }  // namespace
 
 std::string InitialState::at_rest(InitialPoint& point, double vertical, const Point& up,
@@ -224,31 +245,60 @@ void InitialState::set_pressure(const Soil& soil, StateStore& store, const std::
     if (dof(node) >= 0) state.value(dof(node)) = at(soil.height(soil.space->mesh().place(node)));
 }
 
-void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
-  check(section);
-  if (kind_ == Kind::from_result) return;
+void InitialState::check_model(const Soil& soil, double gravity, const Section& section) const {
   if (soil.excess && has_water_)
     section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
   check_laws(soil, section);
-  const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);
-  if (kind_ == Kind::geostatic && g == 0)
+  if (kind_ == Kind::geostatic && gravity == 0)
     section.fail("a geostatic start needs gravity: give the physics a 'gravity'", "type");
-  State& state = store.committed();
-  std::optional<GeostaticColumn> ground;
-  if (kind_ == Kind::geostatic) ground = column(soil, g, section);
-  const bool by_law_in_water = kind_ == Kind::by_law && has_water_;
-  if (by_law_in_water && g == 0)
+  if (kind_ == Kind::by_law && has_water_ && gravity == 0)
     section.fail("the pressure of water at rest needs gravity: give the physics a 'gravity'", "water level");
   for (const char* entry : {"water level", "pore pressure"})
     if (soil.pressure < 0 && section.has_parameter(entry))
       section.fail("this physics has one phase and no pore pressure; 'biot' has one", entry);
-  if (by_law_in_water) ground.emplace(soil, g, water_level_, section);
-  if (ground) set_pressure(soil, store, [&](double y) { return ground->pore_pressure(y); });
-  if (kind_ == Kind::uniform || (kind_ == Kind::by_law && !has_water_))
-    set_pressure(soil, store, [&](double) { return pressure_; });
+}
+
+std::optional<GeostaticColumn> InitialState::ground(const Soil& soil, double gravity, const Section& section) const {
+  if (kind_ == Kind::geostatic) return column(soil, gravity, section);
+  if (kind_ == Kind::by_law && has_water_) return GeostaticColumn(soil, gravity, water_level_, section);
+  return std::nullopt;
+}
+
+std::string InitialState::set_stress(const Soil& soil, const std::optional<GeostaticColumn>& ground,
+                                     const SoilMaterial& material, InitialPoint& point) const {
+  for (int c = 0; c < 6; ++c) point.stress[c] = kind_ == Kind::stress_free ? 0.0 : -stress_[c];
+  point.overconsolidation_ratio = ocr_(0, point.position);
+  if (kind_ == Kind::by_law) return guarded_stress(*material.skeleton, point);
+  if (kind_ == Kind::geostatic) {
+    const double pressure = material.acting(ground->pore_pressure(point.height));
+    return at_rest(point, ground->total_stress(point.height) - pressure, soil.up, material);
+  }
+  if (!has_strength_) return "";
+  return overconsolidate(
+      material, strength_(0, point.position), [](InitialPoint&) { return ""; }, point);
+}
+
+void InitialState::check_strength(const Soil& soil, bool found, const Section& section) const {
+  const int here = found;
+  int anywhere = 0;
+  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
+  if (anywhere == 0)
+    section.fail("no soil of this model has a law with an undrained strength",
+                 has_strength_ ? "undrained strength" : "undrained strength ratio");
+}
+
+void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
+  check(section);
+  if (kind_ == Kind::from_result) return;
+  const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);
+  check_model(soil, g, section);
+  const std::optional<GeostaticColumn> column = ground(soil, g, section);
+  if (column) set_pressure(soil, store, [&](double y) { return column->pore_pressure(y); });
+  if (!column && kind_ != Kind::stress_free) set_pressure(soil, store, [&](double) { return pressure_; });
+  State& state = store.committed();
+  const bool from_strength = has_strength_ || has_strength_ratio_;
   std::string problem;
   bool any_strength = false;
-  const bool from_strength = has_strength_ || has_strength_ratio_;
   for (const SoilBlock& b : soil.blocks) {
     const SoilPoints points(soil, b, state);
     const auto& numbers = soil.space->mesh().blocks()[b.block].global_ids;
@@ -261,33 +311,10 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         point.height = soil.height(point.position);
         point.element = static_cast<int>(numbers[e] + 1);
         point.number = q + 1;
-        for (int c = 0; c < 6; ++c) point.stress[c] = -stress_[c];
-        point.overconsolidation_ratio = ocr_(0, point.position);
-        if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
-        std::string rest;
-        if (kind_ == Kind::uniform && has_strength_)
-          rest = overconsolidate(
-              material, strength_(0, point.position), [](InitialPoint&) { return ""; }, point);
-        if (kind_ == Kind::geostatic) {
-          const double pressure = material.acting(ground->pore_pressure(point.height));
-          rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, material);
-        }
-        if (kind_ == Kind::by_law) rest = guarded_stress(*material.skeleton, point);
-        if (rest.empty()) rest = material.find_void_ratio(point);
-        if (b.origin >= 0)
-          for (int c = 0; c < static_cast<int>(state.arrays[b.origin].extent(1)); ++c)
-            state.arrays[b.origin](row, c) = c == 0 ? b.start(row, 0) : point.position[c - 1];
-        for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
-        if (b.permeability >= 0)
-          for (int c = 0; c < 6; ++c) state.arrays[b.permeability](row, c) = material.permeability_ratios.tensor()[c];
-        if (b.conductivity >= 0 && rest.empty())
-          rest = material.permeability->numbers_at(point.position, &state.arrays[b.conductivity](row, 0));
-        state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
-        const std::string reason = rest.empty()
-                                       ? start_guarded(*material.skeleton, point,
-                                                       state.arrays[b.law].data() + row * state.arrays[b.law].extent(1))
-                                       : rest;
-        if (from_strength && reason.empty()) any_strength = any_strength || points.soil_state(row).undrained_strength;
+        std::string reason = set_stress(soil, column, material, point);
+        if (reason.empty()) reason = material.find_void_ratio(point);
+        if (reason.empty()) reason = write_point(b, row, material, point, state);
+        if (reason.empty() && from_strength) any_strength = any_strength || points.soil_state(row).undrained_strength;
         if (!reason.empty() && problem.empty())
           problem = "material '" + material.name + "' cannot start at " +
                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
@@ -297,13 +324,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   agree(*soil.space->dofs()->comm(), [&] {
     if (!problem.empty()) section.fail(problem);
   });
-  if (!from_strength) return;
-  const int there = any_strength;
-  int anywhere = 0;
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_MAX, there, Teuchos::outArg(anywhere));
-  if (anywhere == 0)
-    section.fail("no soil of this model has a law with an undrained strength",
-                 has_strength_ ? "undrained strength" : "undrained strength ratio");
+  if (from_strength) check_strength(soil, any_strength, section);
 }
 
 }  // namespace mudline

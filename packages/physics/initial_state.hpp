@@ -25,6 +25,15 @@ class InitialState {
   void check(const Section& section) const;
   /// InputError where some laws of the soil, or none, give the stress and the deck says otherwise.
   void check_laws(const Soil& soil, const Section& section) const;
+  /// InputError where the start does not suit the model; `gravity` [m/s2] is its size.
+  void check_model(const Soil& soil, double gravity, const Section& section) const;
+  /// InputError of a start from a strength where no rank has found soil with one. Collective.
+  void check_strength(const Soil& soil, bool found, const Section& section) const;
+  /// Stresses and pore pressures over height, of starts that have them.
+  std::optional<GeostaticColumn> ground(const Soil& soil, double gravity, const Section& section) const;
+  /// Sets overconsolidation ratio and stress of a point; returns "" or the problem.
+  std::string set_stress(const Soil& soil, const std::optional<GeostaticColumn>& ground, const SoilMaterial& material,
+                         InitialPoint& point) const;
   /// Sets overconsolidation ratio and stress of a geostatic point under a vertical effective stress [Pa]; returns "" or
   /// the problem.
   std::string at_rest(InitialPoint& point, double vertical, const Point& up, const SoilMaterial& material) const;
