@@ -25,6 +25,8 @@ inline double distance(const Point& a, const Point& b) {
   return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
+class Neighbourhood;
+
 /// This rank's elements, some layers of those of other ranks around them (ghosts), and on every rank the nodes of the
 /// boundaries of all regions. Local numbers ascend with the global ones: loops meet the elements around a node in the
 /// same order on any number of ranks, so that sums agree to the last digit. On one rank they are the global numbers.
@@ -129,6 +131,17 @@ class GhostedMesh {
     RCP<const Import> import;  // null: there is nothing to exchange
   };
   Exchange exchange(const std::vector<long long>& own, const std::vector<long long>& all) const;
+  // Steps of the constructor, in their order.
+  struct Numbers;
+  void add_elements(const Neighbourhood& around, Numbers& numbers);
+  void find_own_elements(const Numbers& numbers);
+  /// Collective, like the next one and the last two.
+  void gather_boundary(Numbers& numbers) const;
+  void gather_node_sets(Numbers& numbers) const;
+  void number_nodes(const Numbers& numbers);
+  void add_boundary(const Numbers& numbers);
+  void make_exchanges(const Numbers& numbers);
+  void add_side_set(const std::string& name);
   void fill(const Exchange& exchange, const std::vector<int>& own, int width, double* values) const;
 
   const Mesh& mesh_;
