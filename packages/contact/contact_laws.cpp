@@ -1,6 +1,5 @@
 #include "contact/contact_laws.hpp"
 
-#include "contact/contact_rule.hpp"
 #include "contact/laws/slope_check.hpp"
 #include "core/log.hpp"
 
@@ -99,6 +98,20 @@ ContactPointLaw ContactLaws::in_step(const StepView& view, double damping) const
 int ContactLaws::pressure_nodes(const SurfaceSide& side) const {
   if (pressure_ < 0 || !read_.pore_pressure) return 0;
   return space_->field(pressure_).support == Support::vertices ? num_corners(side.shape) : side.count;
+}
+
+const double* ContactLaws::pressure_shape(const SurfaceSide& side, const ContactRule& points, int point) const {
+  return pressure_nodes(side) < points.nodes ? &points.corner(point, 0) : &points.shape(point, 0);
+}
+
+double ContactLaws::pore_pressure(const SurfaceSide& side, const ContactRule& points, int point,
+                                  const ConstNodalView& values) const {
+  const int nodes = pressure_nodes(side);
+  if (nodes == 0) return 0;
+  const double* const shape = pressure_shape(side, points, point);
+  double result = 0;
+  for (int a = 0; a < nodes; ++a) result += shape[a] * values(space_->node_dof(pressure_)(side.node[a]));
+  return result;
 }
 
 TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, const double* xi) const {

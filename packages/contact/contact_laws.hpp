@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/contact.hpp"
+#include "contact/contact_rule.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/laws/contact_point.hpp"
 
@@ -35,6 +36,11 @@ class ContactLaws {
   int pressure() const { return pressure_; }  // field of the pore pressure; -1: the model has none
   /// How many of the first nodes of a side have a pore pressure that the contact reads.
   int pressure_nodes(const SurfaceSide& side) const;
+  /// Shapes of these nodes at a point of a side.
+  const double* pressure_shape(const SurfaceSide& side, const ContactRule& points, int point) const;
+  /// Pore pressure at a point of a side [Pa], of nodal values by overlap dof; 0 where the contact does not read it.
+  double pore_pressure(const SurfaceSide& side, const ContactRule& points, int point,
+                       const ConstNodalView& values) const;
   /// Makes the contact read the pore pressure, whatever its laws read.
   void ask_for_pore_pressure() { read_.pore_pressure = true; }
   /// Laws, times and weights of a step; `damping` of the deck [s/m].

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "contact/conjugate_position.hpp"
-#include "tensor/midpoint_rule.hpp"
+#include "contact/parts/in_situ_contact.hpp"
 
 namespace mudline {
 
@@ -31,24 +31,19 @@ void PointContact::check_parts(const Section& section, bool conserving, bool dam
 void PointContact::make_points(const std::string& surface, SideRule::At kind, int quadrature_degree) {
   set_ = surface;
   if (parts_.drainage.has_film()) laws_.ask_for_pore_pressure();
-  surface_ = std::make_unique<ContactSurface>(context_.space.mesh(), surface);
+  surface_ = std::make_unique<SlavePoints>(context_.space.mesh(), surface, kind, quadrature_degree);
   if (parts_.drainage.leaks())
     leak_ = std::make_unique<LeakySurface>(context_.space, *surface_, parts_.drainage.conductance(),
                                            parts_.drainage.outside());
-  places_ = std::make_shared<SurfacePoints>(surface_->mesh(), surface, kind, quadrature_degree);
-  rules_.clear();
-  for (CellShape shape : surface_->shapes()) rules_.emplace(shape, ContactRule(kind, shape, quadrature_degree));
-  first_row_.assign(1, 0);
-  for (const SurfaceSide& side : sides()) first_row_.push_back(first_row_.back() + rule(side).points);
 }
 
 void PointContact::declare_points(StateStore& store) {
   laws_.declare_state(store);
   const std::string prefix = name() + "/";
-  rows_.declare_state(store, prefix, places_, axes(), target_->columns(), laws_.friction() != nullptr,
+  rows_.declare_state(store, prefix, surface_->places(), axes(), target_->columns(), laws_.friction() != nullptr,
                       enforcement_.augmented());
-  if (parts_.drainage.has_film()) parts_.drainage.film.declare_state(store, prefix, places_, axes());
-  parts_.initial_gap.declare_state(store, prefix, places_);
+  if (parts_.drainage.has_film()) parts_.drainage.film.declare_state(store, prefix, surface_->places(), axes());
+  parts_.initial_gap.declare_state(store, prefix, surface_->places());
   penalties_ = enforcement_.declare_penalties(store, prefix, surface_->mesh(), set_);
 }
 
@@ -62,7 +57,7 @@ void PointContact::begin_parts(const StepView& view) {
 void PointContact::sparsity(Assembler& assembler) {
   const auto& x = surface_->mesh().coordinates();
   for (std::size_t s = 0; s < sides().size(); ++s)
-    for (int piece : target_->near(box(s, x), reach_)) {
+    for (int piece : target_->near(surface_->box(s, x), reach_)) {
       const SurfaceSide& side = sides()[s];
       const int pressures = laws_.pressure_nodes(side);
       std::vector<int> dofs(axes() * side.count + target_->num_dofs(piece) + pressures);
@@ -93,9 +88,63 @@ ContactPointLaw PointContact::law(const StepView& view, std::size_t side) const 
   return result;
 }
 
+/// A side of the slave in an evaluation.
+struct PointContact::SideInStep {
+  std::size_t side;
+  bool tangent;
+  ConstCoordinateView x_old, x_end;  // [m] of the mesh at both ends of the step
+  SideCoordinates before, now;       // [m] of its nodes there
+  SideFilm water;
+  ContactPointLaw law;
+  PointAreas& areas;
+};
+
+/// What the entries of a PointInStep point to.
+struct PointContact::PointBuffers {
+  double leaving[SideAction::most];
+  Point pressure_slope[max_side_nodes];
+};
+
+PointInStep PointContact::point_in_step(const StepView& view, const SideInStep& here, int c, PointBuffers& to) const {
+  const SurfaceSide& side = sides()[here.side];
+  const ContactRule& points = rule(side);
+  const PointAreas& areas = here.areas;
+  const int row = surface_->first_row(here.side) + c;
+  const Point at = points.place(c, here.now);
+  PointInStep point{here.law,    here.water, candidates_[here.side],       capture_,
+                    here.x_old,  here.x_end, points.place(c, here.before), at,
+                    outward(row)};
+  point.old = history(view, here.side, row, point.place_old);
+  point.area = areas.now[c];
+  point.area_old = areas.fixed ? areas.now[c] : areas.old[c];
+  if (here.tangent && !areas.fixed) point.area_slope = areas.slope[c];
+  point.far = areas.fixed ? length(at) : farthest(here.now);
+  point.nodes = points.nodes;
+  point.pressures = laws_.pressure_nodes(side);
+  point.shape = &points.shape(c, 0);
+  point.pressure_shape = laws_.pressure_shape(side, points, c);
+  point.pore_pressure = point.old.soil.pore_pressure + laws_.pore_pressure(side, points, c, view.value_end);
+  point.old_columns = rows_.more(*view.committed, row);
+  point.reach = close_;
+  // the force that moves a body until it touches is not known: every linearisation lets it move ten times as far
+  point.reach_share = std::pow(0.1, view.linearisation);
+  if (!here.water.flows) return point;
+  pressure_slopes(points, c, here.before, point.pressures, to.pressure_slope);
+  point.drive = -here.water.weight;
+  for (int a = 0; a < point.pressures; ++a)
+    point.drive += view.value_end(context_.space.node_dof(laws_.pressure())(side.node[a])) * to.pressure_slope[a];
+  point.pressure_slope = to.pressure_slope;
+  return point;
+}
+
+bool PointContact::find(const SideInStep& here, int c, TargetPlace& place) const {
+  if (here.areas.fixed && !(here.areas.now[c] > 0)) return false;
+  return target_->find(candidates_[here.side], rule(sides()[here.side]).place(c, here.now),
+                       outward(surface_->first_row(here.side) + c), capture_, here.x_end, place);
+}
+
 template <class Take>
 int PointContact::evaluate(const StepView& view, bool tangent, const Take& take) {
-  const State& committed = *view.committed;
   const bool ahead = conserves(view);
   const ConstCoordinateView x_old = ahead ? moved_ahead(context_.space, view.x_old, view.impact.ahead_old) : view.x_old,
                             x_end = ahead ? moved_ahead(context_.space, view.x_end, view.impact.ahead_end) : view.x_end;
@@ -103,71 +152,51 @@ int PointContact::evaluate(const StepView& view, bool tangent, const Take& take)
   SideAction action;
   action.tangent = tangent;
   PointAreas areas;
+  PointBuffers buffers;
   int failures = 0;
   for (std::size_t s = 0; s < sides().size(); ++s) {
     const SurfaceSide& side = sides()[s];
-    const ContactRule& points = rule(side);
-    const SideCoordinates before = side_coordinates(side, x_old), now = side_coordinates(side, x_end);
-    const bool near = !candidates_[s].empty(), sound = near && measure(s, before, now, tangent, areas);
+    SideInStep here{s,
+                    tangent,
+                    x_old,
+                    x_end,
+                    side_coordinates(side, x_old),
+                    side_coordinates(side, x_end),
+                    film(view, s),
+                    law(view, s),
+                    areas};
+    here.law.film = here.water.acts;
+    const bool near = !candidates_[s].empty(), sound = near && measure(s, here.before, here.now, tangent, areas);
     failures += near && !sound;
-    const int pressures = laws_.pressure_nodes(side);
-    const SideFilm water = film(view, s);
-    ContactPointLaw acting = law(view, s);
-    acting.film = water.acts;
     int open = -1;  // entry of `action`
-    for (int c = 0; c < points.points; ++c) {
-      const int row = first_row_[s] + c;
-      const Point at = points.place(c, now), out = outward(row);
+    for (int c = 0; c < rule(side).points; ++c) {
+      const int row = surface_->first_row(s) + c;
       TargetPlace place;
-      if (!sound || (areas.fixed && !(areas.now[c] > 0)) ||
-          !target_->find(candidates_[s], at, out, capture_, x_end, place)) {
+      if (!sound || !find(here, c, place)) {
         if (tangent) continue;
         write_away(view, row);
         leave(view, s, row, capture_);
         continue;
       }
-      const int here = pairs_.row(s, place.piece);
-      if (here != open || here < 0) {
+      const int entry = pairs_.row(s, place.piece);
+      if (entry != open || entry < 0) {
         if (open >= 0) take(s, open, action);
-        action.open(axes() * side.count, target_->num_dofs(place.piece), pressures);
-        open = here;
+        action.open(axes() * side.count, target_->num_dofs(place.piece), laws_.pressure_nodes(side));
+        open = entry;
       }
-      acting.turned = tangent && turned(*view.trial, row);
-      PointInStep point{acting, water, candidates_[s], capture_, x_old, x_end, points.place(c, before), at, out};
-      point.old = history(view, s, row, point.place_old);
-      point.area = areas.now[c];
-      point.area_old = areas.fixed ? areas.now[c] : areas.old[c];
-      if (tangent && !areas.fixed) point.area_slope = areas.slope[c];
-      point.far = areas.fixed ? length(at) : farthest(now);
-      point.nodes = points.nodes;
-      point.pressures = pressures;
-      point.shape = &points.shape(c, 0);
-      point.pressure_shape = pressure_shape(side, c);
-      point.pore_pressure = point.old.soil.pore_pressure + pore_pressure(s, c, view.value_end);
-      point.old_columns = rows_.more(committed, row);
-      point.reach = close_;
-      // the force that moves a body until it touches is not known: every linearisation lets it move ten times as far
-      point.reach_share = std::pow(0.1, view.linearisation);
-      double leaving[SideAction::most];
+      here.law.turned = tangent && turned(*view.trial, row);
+      PointInStep point = point_in_step(view, here, c, buffers);
       const bool stays =
-          ahead && rows_.pressure(committed, row) > 0 && target_->old_piece(point.old_columns) == place.piece;
+          ahead && rows_.pressure(*view.committed, row) > 0 && target_->old_piece(point.old_columns) == place.piece;
       if (stays) {
-        target_->old_forces(point.old_columns, point.old.force, leaving);
-        point.leaving = leaving;
-      }
-      Point slope[max_side_nodes];
-      if (water.flows) {
-        pressure_slopes(points, c, before, pressures, slope);
-        point.drive = -water.weight;
-        for (int a = 0; a < pressures; ++a)
-          point.drive += view.value_end(context_.space.node_dof(laws_.pressure())(side.node[a])) * slope[a];
-        point.pressure_slope = slope;
+        target_->old_forces(point.old_columns, point.old.force, buffers.leaving);
+        point.leaving = buffers.leaving;
       }
       const ContactPoint result = target_->act(point, place, action);
       if (tangent) continue;
       if (!stays) leave(view, s, row, result.gap);
-      if (here < 0) {
-        failures += result.active || water.acts;
+      if (entry < 0) {
+        failures += result.active || here.water.acts;
         write_away(view, row);
         continue;
       }
@@ -217,11 +246,11 @@ void PointContact::add_heat(const StepView& view, const ResidualView& f) const {
   const double slave = heat_share(), target = 1 - slave;
   for (std::size_t s = 0; s < sides().size(); ++s) {
     const SurfaceSide& side = sides()[s];
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
+    for (int row = surface_->first_row(s); row < surface_->end_row(s); ++row) {
       const double heat = rows_.shear(*view.trial, row).dissipated - rows_.shear(*view.committed, row).dissipated,
                    rate = heat / view.dt;
       if (rate == 0) continue;
-      const double* const share = &rule(side).corner(row - first_row_[s], 0);
+      const double* const share = &rule(side).corner(row - surface_->first_row(s), 0);
       for (int a = 0; a < num_corners(side.shape); ++a) f.add(dofs(side.node[a]), -slave * share[a] * rate);
       if (target == 0) continue;
       for (const auto& [node, part] : target_->vertices(rows_.more(*view.trial, row)))
@@ -233,7 +262,7 @@ void PointContact::add_heat(const StepView& view, const ResidualView& f) const {
 void PointContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
   const MatrixScatter to = assembler.scatter(pairs_.group());
   const double moved = conserves(view) ? view.impact.conjugate : 1.0;
-  if (view.linearisation == 0) slid_.assign(laws_.friction() ? first_row_.back() : 0, Point{});
+  if (view.linearisation == 0) slid_.assign(laws_.friction() ? surface_->rows() : 0, Point{});
   evaluate(view, true, [&](std::size_t, int entry, SideAction& action) {
     const int dofs = action.dofs(), first = action.first_pressure();
     for (int a = 0; a < first; ++a)
@@ -259,7 +288,7 @@ void PointContact::leave(const StepView& view, std::size_t side, int row, double
   const double share = start_share(rows_.gap(committed, row), gap, view.impact.damping) - (1 - view.end_weight);
   const Point force = rows_.force(committed, row);
   const SurfaceSide& at = sides()[side];
-  const double* const shape = &rule(at).shape(row - first_row_[side], 0);
+  const double* const shape = &rule(at).shape(row - surface_->first_row(side), 0);
   double on_target[SideAction::most];
   target_->old_forces(columns, force, on_target);
   for (int a = 0; a < at.count; ++a)
@@ -277,7 +306,7 @@ PointHistory PointContact::history(const StepView& view, std::size_t side, int r
   old.shear = rows_.shear(committed, row);
   old.force = rows_.force(committed, row);
   old.normal_force = rows_.pressure(committed, row) * rows_.area(committed, row);
-  old.soil = laws_.soil(committed, sides()[side], rule(sides()[side]).xi[row - first_row_[side]].data());
+  old.soil = laws_.soil(committed, sides()[side], rule(sides()[side]).xi[row - surface_->first_row(side)].data());
   if (parts_.drainage.has_film()) parts_.drainage.film.start(view, row, place_old, old);
   if (!enforcement_.augmented()) return old;
   const double stiffness = penalty(*view.trial, side);
@@ -310,21 +339,6 @@ void PointContact::write_away(const StepView& view, int row) const {
   write(*view.trial, row, TargetPlace(), point);
 }
 
-const double* PointContact::pressure_shape(const SurfaceSide& side, int point) const {
-  const ContactRule& points = rule(side);
-  return laws_.pressure_nodes(side) < points.nodes ? &points.corner(point, 0) : &points.shape(point, 0);
-}
-
-double PointContact::pore_pressure(std::size_t side, int point, const ConstNodalView& values) const {
-  const SurfaceSide& at = sides()[side];
-  const int nodes = laws_.pressure_nodes(at);
-  if (nodes == 0) return 0;
-  const double* const shape = pressure_shape(at, point);
-  double result = 0;
-  for (int a = 0; a < nodes; ++a) result += shape[a] * values(context_.space.node_dof(laws_.pressure())(at.node[a]));
-  return result;
-}
-
 bool PointContact::lengths(std::size_t side, const State& state, double* of_points) const {
   return point_areas(rule(sides()[side]), side_coordinates(sides()[side], state.coordinates), Geometry::plane_strain,
                      of_points);
@@ -338,7 +352,7 @@ Point PointContact::initial_shear_multiplier(const State& committed, int row) co
 
 void PointContact::start_multipliers(const StepView& view) const {
   if (!enforcement_.augmented() || !laws_.friction()) return;
-  for (int row = 0; row < first_row_.back(); ++row)
+  for (int row = 0; row < surface_->rows(); ++row)
     rows_.set_shear_multiplier(*view.trial, row, initial_shear_multiplier(*view.committed, row));
 }
 
@@ -350,7 +364,7 @@ Misfit PointContact::misfit(const State& state) const {
     if (!lengths(s, state, here)) continue;
     const double stiffness = penalty(state, s);
     for (int c = 0; c < r.points; ++c) {
-      const int row = first_row_[s] + c;
+      const int row = surface_->first_row(s) + c;
       sums.spring = std::max(sums.spring, rows_.pressure(state, row) / stiffness);
       const double normal = rows_.pressure(state, row) - rows_.normal_multiplier(state, row);
       const Point shear =
@@ -392,9 +406,9 @@ Augmentation PointContact::augment(const StepView& view, int count) {
   std::vector<std::vector<double>> tangential;
   for (const std::vector<double>& component : rest.shear) tangential.push_back(in_shapes(*surface_, component, masses));
   for (std::size_t s = 0; s < sides().size(); ++s)
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
+    for (int row = surface_->first_row(s); row < surface_->end_row(s); ++row) {
       const ContactRule& r = rule(sides()[s]);
-      const double* const shape = r.multiplier_shape(row - first_row_[s]);
+      const double* const shape = r.multiplier_shape(row - surface_->first_row(s));
       for (int a = 0; a < r.multipliers; ++a)
         rows_.normal_multiplier(trial, row) += shape[a] * normal[sides()[s].node[a]];
       if (!laws_.friction()) continue;
@@ -413,17 +427,17 @@ bool PointContact::covered(std::size_t side, const State& committed) const {
   // micrometres, and a vertex that is drained for a step loses its pore pressure.
   const SurfaceSide& at = sides()[side];
   const double near = parts_.drainage.sealing_gap() * edges(at, committed.coordinates).second;
-  const Bounds around = box(side, committed.coordinates);
+  const Bounds around = surface_->box(side, committed.coordinates);
   if (target_->near(around, near).empty()) return false;
   const SideCoordinates x = side_coordinates(at, committed.coordinates);
   const ContactRule& points = rule(at);
   double counted = 0;
   for (int c = 0; c < points.points; ++c)
-    counted = std::max(counted, std::abs(parts_.initial_gap.offset(committed, first_row_[side] + c)));
+    counted = std::max(counted, std::abs(parts_.initial_gap.offset(committed, surface_->first_row(side) + c)));
   const std::vector<int> candidates = target_->near(around, near + counted);
   int count = 0;
   for (int c = 0; c < points.points; ++c) {
-    const double offset = parts_.initial_gap.offset(committed, first_row_[side] + c);
+    const double offset = parts_.initial_gap.offset(committed, surface_->first_row(side) + c);
     TargetPlace there;
     count += target_->find(candidates, points.place(c, x), points.outward(c, x), near + std::abs(offset),
                            committed.coordinates, there) &&
@@ -460,88 +474,21 @@ void PointContact::first_act(State& committed) {
   enforcement_.start_penalties(*surface_, context_.stiffness, penalties);
   target_->look_at(committed);
   FirstTouch found;
-  for (std::size_t s = 0; s < sides().size(); ++s) touch_first(s, committed, found);
+  const InSituContact start{context_,
+                            laws_,
+                            *surface_,
+                            *target_,
+                            parts_.initial_gap,
+                            rows_,
+                            committed,
+                            penalties,
+                            enforcement_.augmented(),
+                            parts_.drainage.has_film()};
+  const auto write = [&](int row, const TargetPlace& place, const ContactPoint& point) {
+    this->write(committed, row, place, point);
+  };
+  for (std::size_t s = 0; s < sides().size(); ++s) start.touch(s, found, write);
   found.everywhere(comm).tell(name_, parts_.initial_gap.presses());
-}
-
-void PointContact::touch_first(std::size_t side, const State& committed, FirstTouch& found) const {
-  constexpr double facing = 0.7;  // [-] cosine: a side that does not face the target does not touch it
-  const SurfaceSide& at = sides()[side];
-  const ContactRule& points = rule(at);
-  const SideCoordinates x = side_coordinates(at, committed.coordinates);
-  const double edge = edges(at, committed.coordinates).second, reach = parts_.initial_gap.reach(edge);
-  double area[max_contact_points];
-  if (!point_areas(points, x, context_.space.mesh().geometry(), area)) return;
-  found.reach = std::max(found.reach, reach);
-  const double distance = std::max(edge, reach);
-  const std::vector<int> candidates = target_->near(box(side, committed.coordinates), distance);
-  for (int c = 0; c < points.points; ++c) {
-    ++found.points;
-    const Point place = points.place(c, x), outward = points.outward(c, x);
-    TargetPlace there;
-    if (!target_->find(candidates, place, outward, distance, committed.coordinates, there)) continue;
-    ContactPoint point{};
-    target_->complete(there, place, committed.coordinates, point);
-    if (-dot(outward, point.normal) < facing) continue;
-    const double gap = there.gap;
-    if (std::abs(gap) > reach) {
-      found.deep += gap < 0;
-      found.deepest = std::max(found.deepest, -gap);
-      continue;
-    }
-    const int row = first_row_[side] + c;
-    Point traction{};
-    if (parts_.initial_gap.presses()) traction = start_traction(side, row, committed, place, outward, point.normal);
-    double pressure = dot(point.normal, traction);
-    // the film's pressure is the pore pressure; the rest is the law's
-    if (parts_.initial_gap.presses() && parts_.drainage.has_film()) pressure -= pore_pressure(side, c, committed.value);
-    found.pulled += pressure < 0;
-    const double depth = in_situ_penetration(side, c, committed, std::max(0.0, pressure));
-    const bool bears = pressure > 0 && std::isfinite(depth);
-    found.beyond += pressure > 0 && !bears;
-    found.close(gap, bears ? pressure : 0.0);
-    parts_.initial_gap.set_offset(committed, row, gap + (bears ? depth : 0.0));
-    if (!bears) continue;
-    if (enforcement_.augmented()) rows_.normal_multiplier(committed, row) = pressure;
-    point.gap = -depth;
-    point.active = true;
-    point.area = area[c];
-    point.pressure = pressure;
-    if (parts_.drainage.has_film()) point.pressure += pore_pressure(side, c, committed.value);
-    point.force = point.pressure * area[c] * point.normal;
-    point.shear = rows_.shear(committed, row);
-    if (laws_.friction()) {
-      // that on the target's surface: a facet of the mesh beside it would bear a part of the pressure as shear
-      const Point &n = point.normal, along = start_traction(side, row, committed, place, -n, n),
-                  shear = along - dot(n, along) * n;
-      point.shear.shear = axes() == 2 ? Point{n[0] * shear[1] - n[1] * shear[0], 0, 0} : shear;
-      if (enforcement_.augmented()) rows_.set_shear_multiplier(committed, row, point.shear.shear);
-      point.friction = area[c] * shear;
-      point.force = point.force + point.friction;
-    }
-    target_->complete(there, place, committed.coordinates, point);
-    write(committed, row, there, point);
-  }
-}
-
-double PointContact::in_situ_penetration(std::size_t side, int point, const State& committed, double pressure) const {
-  if (enforcement_.augmented()) return 0;  // multipliers carry it
-  const SurfaceSide& at = sides()[side];
-  TouchingSoil soil = laws_.soil(committed, at, rule(at).xi[point].data());
-  soil.pore_pressure += pore_pressure(side, point, committed.value);
-  return penetration_under(laws_.normal(), pressure, penalty(committed, side), soil);
-}
-
-Point PointContact::start_traction(std::size_t side, int row, const State& committed, const Point& at,
-                                   const Point& outward, const Point& normal) const {
-  if (const double given = rows_.pressure(committed, row); given > 0)
-    return given * normal + (axes() == 3 ? rows_.shear(committed, row).shear : Point{});
-  const SurfaceSide& here = sides()[side];
-  const auto stress = context_.stress(committed, here.block, here.element, at);
-  Point traction{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) traction[i] += stress[six(i, j)] * outward[j];
-  return traction;
 }
 
 void PointContact::report_parts(const State& state, double sign, Report& values) const {
@@ -557,21 +504,6 @@ void PointContact::report_parts(const State& state, double sign, Report& values)
   values[name() + "/film water"] = {"m3", all[0]};
   values[name() + "/film vapour"] = {"m3", all[1]};
   for (int i = 0; i < axes(); ++i) values[name() + "/film force " + axis_names[i]] = {"N", sign * all[2 + i]};
-}
-
-std::vector<double> PointContact::nodal_mean(const std::function<double(int row)>& quantity) const {
-  const int nodes = context_.space.mesh().num_nodes();
-  std::vector<double> weighted(nodes, 0.0), weights(nodes, 0.0);
-  for (std::size_t s = 0; s < sides().size(); ++s) {
-    const ContactRule& r = rule(sides()[s]);
-    for (int a = 0; a < sides()[s].count; ++a)
-      for (int c = 0; c < r.points; ++c) {
-        const double near = share(first_row_[s] + c) * nearness(r, c, a);
-        weighted[sides()[s].node[a]] += near * quantity(first_row_[s] + c);
-        weights[sides()[s].node[a]] += near;
-      }
-  }
-  return surface_->mean(std::move(weighted), std::move(weights));
 }
 
 std::vector<double> PointContact::nodal_pressure(const State& state) const {

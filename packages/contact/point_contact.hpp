@@ -1,25 +1,22 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "contact/contact_laws.hpp"
-#include "contact/contact_rule.hpp"
-#include "contact/contact_surface.hpp"
 #include "contact/pair_dofs.hpp"
 #include "contact/parts/drainage.hpp"
 #include "contact/parts/initial_gap.hpp"
 #include "contact/parts/leaky_surface.hpp"
 #include "contact/point_rows.hpp"
+#include "contact/slave_points.hpp"
 #include "contact/target.hpp"
 #include "contact/uzawa.hpp"
 #include "framework/closed_sides.hpp"
 #include "framework/first_act.hpp"
-#include "framework/surface_points.hpp"
 
 namespace mudline {
 
@@ -99,31 +96,26 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   void declare_points(StateStore& store);
   /// Starts penalties, multipliers, film and leaking for a step.
   void begin_parts(const StepView& view);
-  Bounds box(std::size_t side, const ConstCoordinateView& x) const {
-    return side_box(sides()[side].node, sides()[side].count, x);
-  }
   /// Differences between stresses and multipliers. Collective.
   Misfit misfit(const State& state) const;
   /// History columns of the parts and of multipliers; `sign`: -1 where forces are those on the target. Collective.
   void report_parts(const State& state, double sign, Report& values) const;
-  std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
+  std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const {
+    return surface_->nodal_mean(quantity, [this](int row) { return share(row); });
+  }
 
   int axes() const { return context_.space.mesh().dimension(); }
-  int rows() const { return first_row_.back(); }
   const std::vector<SurfaceSide>& sides() const { return surface_->sides(); }
-  const ContactRule& rule(const SurfaceSide& side) const { return rules_.at(side.shape); }
+  const ContactRule& rule(const SurfaceSide& side) const { return surface_->rule(side); }
   double penalty(const State& state, std::size_t side) const { return state.arrays[penalties_](side, 0); }
 
   ContactContext context_;
   ContactLaws laws_;
   std::string name_;
   int displacement_ = -1, temperature_ = -1;  // fields
-  std::unique_ptr<ContactSurface> surface_;
-  std::unique_ptr<LeakySurface> leak_;           // null unless leaky
-  std::map<CellShape, ContactRule> rules_;       // of the sides
-  std::vector<int> first_row_;                   // (side) one more: number of rows
-  std::shared_ptr<const SurfacePoints> places_;  // of the rows
-  double gap_tolerance_ = 0;                     // [m]
+  std::unique_ptr<SlavePoints> surface_;
+  std::unique_ptr<LeakySurface> leak_;  // null unless leaky
+  double gap_tolerance_ = 0;            // [m]
   PointRows rows_;
   int penalties_ = -1;  // state handle
 
@@ -147,6 +139,12 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   /// writes the points of the trial state, and remembers what pressed elsewhere before. Returns the number of failures.
   template <class Take>
   int evaluate(const StepView& view, bool tangent, const Take& take);
+  struct SideInStep;
+  struct PointBuffers;
+  /// The point `c` of a side as the target sees it.
+  PointInStep point_in_step(const StepView& view, const SideInStep& here, int c, PointBuffers& to) const;
+  /// Finds the closest point on the target; false where there is none.
+  bool find(const SideInStep& here, int c, TargetPlace& place) const;
   void add_forces(const StepView& view, std::size_t side, int entry, const SideAction& action, const ResidualView& f);
   ContactPointLaw law(const StepView& view, std::size_t side) const;
   /// History of a point. The multiplier of its shear stress counts by its change in this step.
@@ -161,10 +159,6 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   /// Corrects the old force of a point that pressed at the start of the step on another piece than now, at this gap: it
   /// acts with its share, not with the integrator's weight.
   void leave(const StepView& view, std::size_t side, int row, double gap);
-  /// Pore pressure at a point of a side [Pa], of nodal values by overlap dof; 0 where the contact does not read it.
-  double pore_pressure(std::size_t side, int point, const ConstNodalView& values) const;
-  /// Shapes of the pore pressure's nodes at a point of a side.
-  const double* pressure_shape(const SurfaceSide& side, int point) const;
 
   const EnforcementParameters& enforcement_;
   PartParameters& parts_;
@@ -174,14 +168,6 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   PairDofs pairs_;           // of sides and pieces of the target, in the order of SideAction
   std::vector<std::pair<int, double>> later_;  // (dof, force) of the last residual call, at the alpha level
 
-  /// Closes the initial gaps of one side's points, and sets their pressures.
-  void touch_first(std::size_t side, const State& committed, FirstTouch& found) const;
-  /// Traction [Pa] with which a point of a side starts, on the slave: that which its row holds from a result in the
-  /// plane, or that which the slave's stress balances on the surface with this outward normal. `normal`: of the target.
-  Point start_traction(std::size_t side, int row, const State& committed, const Point& at, const Point& outward,
-                       const Point& normal) const;
-  /// Penetration [m] at which a point has this pressure [Pa].
-  double in_situ_penetration(std::size_t side, int point, const State& committed, double pressure) const;
   bool covered(std::size_t side, const State& committed) const;
   std::vector<char> covered_sides(const State& committed) const;  // (side)
 };

@@ -42,7 +42,7 @@ void PointwisePairContact::bind(const Section& section, std::unique_ptr<Deformab
   damping_ = deck_.damping;
   at_nodes_ = kind == SideRule::At::nodes;
   make_points(deck_.slave, kind, quadrature_degree);
-  points_.resize(rows());
+  points_.resize(surface_->rows());
   measure_points(x);
   const double longest = surface_->longest(x);
   reach_ = reach;
@@ -50,9 +50,9 @@ void PointwisePairContact::bind(const Section& section, std::unique_ptr<Deformab
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : longest;
   double least = 0;
   for (std::size_t s = 0; s < sides().size(); ++s) {
-    candidates_.push_back(target_->near(box(s, x), 4 * longest));
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
-      const Point at = rule(sides()[s]).place(row - first_row_[s], side_coordinates(sides()[s], x));
+    candidates_.push_back(target_->near(surface_->box(s, x), 4 * longest));
+    for (int row = surface_->first_row(s); row < surface_->end_row(s); ++row) {
+      const Point at = rule(sides()[s]).place(row - surface_->first_row(s), side_coordinates(sides()[s], x));
       TargetPlace place;
       if (points_[row].area > 0 && target_->find(candidates_[s], at, points_[row].outward, 4 * longest, x, place))
         least = std::min(least, place.gap);
@@ -90,8 +90,8 @@ void PointwisePairContact::measure_points(const ConstCoordinateView& x) {
 bool PointwisePairContact::measure(std::size_t side, const SideCoordinates&, const SideCoordinates&, bool,
                                    PointAreas& areas) const {
   areas.fixed = true;
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    areas.now[row - first_row_[side]] = points_[row].area;
+  for (int row = surface_->first_row(side); row < surface_->end_row(side); ++row)
+    areas.now[row - surface_->first_row(side)] = points_[row].area;
   return true;
 }
 
@@ -102,7 +102,8 @@ void PointwisePairContact::begin(const StepView& view) {
   const double longest = surface_->longest(view.x_old);
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : longest;
   touch_ = deck_.drainage.has_film() ? 0 : 1e-9 * longest;  // a film is stiff where surfaces just touch
-  for (std::size_t s = 0; s < candidates_.size(); ++s) candidates_[s] = target_->near(box(s, view.x_old), 2 * capture_);
+  for (std::size_t s = 0; s < candidates_.size(); ++s)
+    candidates_[s] = target_->near(surface_->box(s, view.x_old), 2 * capture_);
 }
 
 bool PointwisePairContact::conserves(const StepView& view) const {
@@ -118,7 +119,8 @@ int PointwisePairContact::residual(const StepView& view, const ResidualView& f) 
 
 bool PointwisePairContact::lengths(std::size_t side, const State& state, double* of_points) const {
   if (!at_nodes_) return PointContact::lengths(side, state, of_points);
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) of_points[row - first_row_[side]] = share(row);
+  for (int row = surface_->first_row(side); row < surface_->end_row(side); ++row)
+    of_points[row - surface_->first_row(side)] = share(row);
   return true;
 }
 
@@ -131,7 +133,7 @@ Augmentation PointwisePairContact::augment(const StepView& view, int count) {
   const State& trial = *view.trial;
   const Comm& comm = *context_.space.mesh().comm();
   if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, misfit(trial), count, comm)) return *end;
-  for (int row = 0; row < rows(); ++row) {
+  for (int row = 0; row < surface_->rows(); ++row) {
     rows_.normal_multiplier(trial, row) = rows_.pressure(trial, row);
     if (laws_.friction()) rows_.set_shear_multiplier(trial, row, rows_.shear(trial, row).shear);
   }
@@ -145,7 +147,7 @@ std::string PointwisePairContact::hint(const StepView&) const {
 void PointwisePairContact::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   SlaveSums here;
-  for (int row = 0; row < rows(); ++row) {
+  for (int row = 0; row < surface_->rows(); ++row) {
     const ShearState shear = rows_.shear(state, row);
     here.force += rows_.force(state, row);
     here.slides += shear.slides;

@@ -178,7 +178,8 @@ void PenaltyContact::begin(const StepView& view) {
                                                  body_->reach() * length((to.turn * from.turn.inverse()).vector());
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
   rigid_->move(view, false);
-  for (std::size_t s = 0; s < sides().size(); ++s) candidates_[s] = rigid_->near(box(s, view.x_old), capture_);
+  for (std::size_t s = 0; s < sides().size(); ++s)
+    candidates_[s] = rigid_->near(surface_->box(s, view.x_old), capture_);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
@@ -190,7 +191,7 @@ bool PenaltyContact::conserves(const StepView& view) const {
 
 PenaltyContact::Load PenaltyContact::load_on_soil(const State& state) const {
   Load sum;
-  for (int row = 0; row < rows(); ++row) {
+  for (int row = 0; row < surface_->rows(); ++row) {
     sum.force += rows_.force(state, row);
     sum.moment += rigid_->moment(rows_.more(state, row));
   }
@@ -219,7 +220,7 @@ void PenaltyContact::set_reach(const StepView& view) {
   if (view.inertia || !body_->released()) return;
   const State& trial = *view.trial;
   double nearest = 1e300, everywhere = 0;
-  for (int row = 0; row < rows(); ++row)
+  for (int row = 0; row < surface_->rows(); ++row)
     if (rows_.area(trial, row) > 0)
       nearest = std::min(nearest, rows_.active(trial, row) ? -1.0 : rows_.gap(trial, row));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
@@ -229,7 +230,8 @@ void PenaltyContact::set_reach(const StepView& view) {
 void PenaltyContact::mark_pressed(const State& state, std::vector<char>& nodes) const {
   for (std::size_t s = 0; s < sides().size(); ++s) {
     bool presses = false;
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) presses = presses || rows_.active(state, row);
+    for (int row = surface_->first_row(s); row < surface_->end_row(s); ++row)
+      presses = presses || rows_.active(state, row);
     if (!presses) continue;
     const SurfaceSide& side = sides()[s];
     for (int a = 0; a < side.count; ++a) nodes[side.node[a]] = 1;
@@ -242,7 +244,7 @@ double PenaltyContact::step_limit(const State& committed, double dt) const {
   rigid_->look_at(committed);
   double nearest = 1e300, everywhere = 0;
   for (std::size_t s = 0; s < sides().size(); ++s)
-    nearest = std::min(nearest, rigid_->least_gap(box(s, committed.coordinates)));
+    nearest = std::min(nearest, rigid_->least_gap(surface_->box(s, committed.coordinates)));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
   // a body that is still far away may cover half the distance
   return speed > 0 ? std::max(deck_.advance_limit * edge, 0.5 * everywhere) / speed : 1e300;
@@ -288,7 +290,7 @@ PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
   for (int i = 0; i < 3; ++i) local[Sums::moment + i] = -moment[i];
   local[Sums::work] = done(0, 0);
   local[Sums::damping_heat] = done(0, 1);
-  for (int row = 0; row < rows(); ++row) {
+  for (int row = 0; row < surface_->rows(); ++row) {
     const ShearState shear = rows_.shear(state, row);
     for (int i = 0; i < axes(); ++i) local[Sums::friction + i] -= rows_.friction(state, row)[i];
     local[Sums::heat] += shear.dissipated;
