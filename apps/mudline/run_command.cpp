@@ -21,6 +21,7 @@
 #include "integrator/overlap.hpp"
 #include "materials/skeleton/umat_utilities.hpp"
 #include "simulation/branch.hpp"
+#include "simulation/checkpoint.hpp"
 #include "simulation/old_results.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/result_start.hpp"
@@ -52,6 +53,17 @@ struct BranchOf {
   const Loaded& main;
 };
 
+/// Bodies of a deck whose result is gone stand where they stood in the run that it goes on, or is a branch of.
+void keep_places(const BranchOf* of, const std::string& stem, const Section& root) {
+  if (of) return ResultStart::keep_places(*of->main.root, root);
+  const std::string checkpoint = stem + ".restart";
+  if (!std::filesystem::exists(checkpoint)) return;
+  Deck before;
+  before.overlay(Checkpoint::origin_of(checkpoint, Tpetra::getDefaultComm()).deck, checkpoint);
+  before.take_section("variables");  // its formulas are worked out
+  ResultStart::keep_places(before.root(), root);
+}
+
 /// `of`: what the deck is a branch of; null: it is none.
 std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts,
                              const BranchOf* of = nullptr, bool restart = false) {
@@ -69,17 +81,20 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   loaded->root->allow_sections(known);
   load_plugins(loaded->root->section("plugins"), loaded->registries);
   // the mesh decides whether places have two or three numbers, so errors of its section come first
-  agree(*comm, [&] { mesh_recipe(*loaded->root, loaded->registries); });
+  Geometry geometry{};
+  agree(*comm, [&] { geometry = mesh_recipe(*loaded->root, loaded->registries).geometry(); });
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
   if (of) loaded->output.name = of->branch.result_name(of->main.output.name);
-  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
-  check_deck(*loaded->model, *loaded->root);
-  const ResultStart from_result(*loaded->root);
+  ResultStart from_result(*loaded->root);
   const bool goes_on = of || (restart && has_results(*comm, loaded->output.stem()));
   if (from_result.given()) loaded->has_state = from_result.exists() || !goes_on;
-  if (from_result.given() && loaded->has_state)
-    loaded->reference_pressure = from_result.apply(*loaded->model, loaded->deck);
+  const bool takes_result = from_result.given() && loaded->has_state;
+  if (takes_result) from_result.read(comm, geometry, *loaded->root);
+  if (from_result.given() && !takes_result) keep_places(of, loaded->output.stem(), *loaded->root);
+  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
+  check_deck(*loaded->model, *loaded->root);
+  if (takes_result) loaded->reference_pressure = from_result.apply(*loaded->model, loaded->deck);
   agree(*comm, [&] {
     loaded->start = of ? RunStart::at(of->main.output.stem(), of->branch.from())
                        : RunStart::read(loaded->root->section("start"), loaded->output.stem());

@@ -10,7 +10,9 @@
 namespace mudline {
 
 void RigidBody::parameters(Parameters& p) {
-  p.add("position", position_, "m", "Where the body's reference point (the tip of its contour) is before any motion");
+  p.add("position", position_, "m",
+        "Where the body's reference point (the tip of its contour) is before any motion; absent with an initial state "
+        "'from result': where the result's body of this name stands");
   p.add(
       "mass", properties_.mass, "kg", non_negative(),
       "Axisymmetric: of the whole body; plane strain: per metre of depth, of the modelled half if the contour is half");

@@ -120,14 +120,53 @@ ResultStart::ResultStart(const Section& deck) {
   }
 }
 
-NodalView ResultStart::apply(Model& model, const Deck& deck) const {
-  const RCP<const Comm>& comm = model.mesh().comm();
+void ResultStart::read(const RCP<const Comm>& comm, Geometry geometry, const Section& deck) {
   agree(*comm, [&] {
     start_.find(*section_, entry);
-    if (model.mesh().geometry() != Geometry::space)
+    if (geometry != Geometry::space)
       section_->fail("a result is turned into space; the geometry of this mesh is another one", "type");
   });
-  const ResultState result(start_.checkpoint(), comm);
+  result_ = std::make_unique<const ResultState>(start_.checkpoint(), comm);
+  agree(*comm, [&] {
+    if (result_->model().mesh().geometry() != Geometry::axisymmetric)
+      section_->fail("the result must be axisymmetric: another one cannot be turned into space", entry);
+    const Section bodies = deck.section("bodies");
+    for (const auto& [name, body] : result_->model().bodies())
+      if (bodies.has_section(name)) place(*body, bodies.section(name));
+  });
+}
+
+void ResultStart::place(const RigidBody& old, const Section& body) const {
+  const State& state = result_->state();
+  const double height = old.position(state)[1];
+  if (const double speed = length(old.velocity(state)); speed > 0)
+    log::info("  body '" + old.name() + "' moved at " + told(speed, "%.3g m/s") +
+              " in the result; here it starts at rest");
+  if (!body.has_parameter("position")) {
+    body.list().set("position", Teuchos::Array<double>(std::vector<double>{0, 0, height}));
+    return;
+  }
+  Point given{};
+  Parameters(body).add("position", given, "m", "");
+  const double apart = std::hypot(given[0], given[1], given[2] - height);
+  if (apart > 0.005 * old.shadow(old.placement(state), {0, 1, 0}).width)
+    body.fail("the body stands at {0, 0, " + number_text(height) + "} m at the end of the result '" +
+                  section_->text(entry) + "'; without a position it stands there here too",
+              "position");
+}
+
+void ResultStart::keep_places(const Section& before, const Section& deck) {
+  const Section was = before.section("bodies"), bodies = deck.section("bodies");
+  for (const std::string& name : bodies.section_names()) {
+    const Section body = bodies.section(name);
+    if (!body.has_parameter("position") && was.has_section(name) && was.section(name).has_parameter("position"))
+      body.list().setEntry("position", was.section(name).list().getEntry("position"));
+  }
+}
+
+NodalView ResultStart::apply(Model& model, const Deck& deck) const {
+  const RCP<const Comm>& comm = model.mesh().comm();
+  const ResultState& result = *result_;
   agree(*comm, [&] { compare(result, model); });
   State& state = model.store().committed();
   const Soil &from = *result.model().soil(), &to = *model.soil();
@@ -166,8 +205,6 @@ NodalView ResultStart::apply(Model& model, const Deck& deck) const {
 }
 
 void ResultStart::compare(const ResultState& result, const Model& model) const {
-  if (result.model().mesh().geometry() != Geometry::axisymmetric)
-    section_->fail("the result must be axisymmetric: another one cannot be turned into space", entry);
   if (!result.model().soil()) section_->fail("the result has no soil", entry);
   const Soil &from = *result.model().soil(), &to = *model.soil();
   if ((from.pressure >= 0) != (to.pressure >= 0))
@@ -195,23 +232,6 @@ void ResultStart::compare(const ResultState& result, const Model& model) const {
   for (const auto& [name, contact] : model.contacts())
     if (model.store().find(contact->name() + "/film") >= 0)
       section_->fail("contact '" + name + "' has a film, which cannot start from a result", entry);
-  compare_bodies(result, model);
-}
-
-void ResultStart::compare_bodies(const ResultState& result, const Model& model) const {
-  for (const auto& [name, body] : model.bodies()) {
-    const auto old = result.model().bodies().find(name);
-    if (old == result.model().bodies().end()) continue;
-    const Point there = old->second->position(result.state()), here = body->initial_position();
-    const double apart = std::hypot(here[0] - there[0], here[1], here[2] - there[1]);
-    const double width = body->shadow(body->initial_placement(), {0, 0, 1}).width;
-    if (apart > 0.005 * width)
-      section_->fail("body '" + name + "' stands at {0, 0, " + number_text(there[1]) +
-                         "} m at the end of the result; its position here is " + place_text(here, 3),
-                     entry);
-    if (const double speed = length(old->second->velocity(result.state())); speed > 0)
-      log::info("  body '" + name + "' moved at " + told(speed, "%.3g m/s") + " in the result; here it starts at rest");
-  }
 }
 
 void ResultStart::take_contacts(const ResultState& result, Model& model) const {

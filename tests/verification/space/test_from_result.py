@@ -282,7 +282,7 @@ class Wall(SpaceCase):
         )
         contour = {"type": "flat pile", "diameter": 1.0, "corner radius": 0.05, "shaft length": 6.0}
         body = {
-            "position": [0.0, z] if up == "y" else [0.0, 0.0, z],
+            **({} if z is None else {"position": [0.0, z] if up == "y" else [0.0, 0.0, z]}),
             "motion": {"type": "prescribed velocity", f"velocity {up}": 0.0},
             **({"contour": contour} if up == "y" else {"surface": {"type": "revolved", "contour": contour}}),
         }
@@ -301,7 +301,7 @@ class Wall(SpaceCase):
     def moving(up, speed):
         return {**PUSH, "motions": {"pile": {"type": "prescribed velocity", f"velocity {up}": speed}}}
 
-    def in_space(self, z=-4.0 - 10 * FAST):
+    def in_space(self, z=None):
         # the clay beside the wall keeps the volume strain of the water from the end of the push: that is in balance again
         # after the next step only, which moves it by 1.7e-5 m
         balance = {"type": "geostatic", "contacts": ["wall"], "balance tolerance": 2e-5}
@@ -340,12 +340,28 @@ class Wall(SpaceCase):
         halves = self.run_text("halves", self.in_space(), ranks=2, settings=["stages/pull/duration=2"])
         self.compare_values("pull-out on two ranks", halves["contact/wall/reaction z"][:2],
                             space["contact/wall/reaction z"][:2], 1e-5, pulled)
+        self.restart_without_result(space)
         done = program(["check", self.write("low.xml", self.in_space(-4.05))], folder=self.folder)
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn(
-            "body 'pile' stands at {0, 0, -4.005} m at the end of the result; its position here is (0, 0, -4.05)",
+            "the body stands at {0, 0, -4.005} m at the end of the result 'results/wall@push'; without a position it "
+            "stands there here too",
             done.stderr,
         )
+
+    def restart_without_result(self, space):
+        """The body stays where it stood although the result is gone; the deck gives it no position."""
+        deck = self.write("gone.xml", self.in_space())
+        done = program(["run", deck, "--steps", "2"], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = os.path.join(self.folder, "results", "wall@push.restart")
+        os.rename(result, result + ".away")
+        done = program(["run", deck, "--restart", "--steps", "2"], folder=self.folder)
+        os.rename(result + ".away", result)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        reactions = self.history_of("gone")["contact/wall/reaction z"]
+        self.assertEqual(list(reactions), list(space["contact/wall/reaction z"][: len(reactions)]))
+        self.assertGreaterEqual(len(reactions), 4)
 
 
 if __name__ == "__main__":
