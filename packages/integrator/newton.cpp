@@ -25,7 +25,7 @@ class FieldTest : public NOX::StatusTest::Generic {
         report_(report),
         least_(options.least_iterations),
         maximum_(options.maximum_iterations),
-        gives_up_(options.may_be_damped()) {}
+        gives_up_(options.may_be_retried() && options.largest_growth == 0) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& group = solver.getSolutionGroup();
@@ -108,7 +108,7 @@ class FieldTest : public NOX::StatusTest::Generic {
   NonlinearProblem& problem_;
   NewtonReport& report_;
   int least_, maximum_, at_rounding_ = 0;
-  bool gives_up_;               // whether to stop early because a damped retry may follow
+  bool gives_up_;               // whether full steps that alternate stop early, because another way may follow
   std::vector<double> worsts_;  // largest residual ratio of every iterate
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
@@ -128,15 +128,21 @@ NewtonOptions NewtonOptions::from_balance() const {
   return result;
 }
 
-NewtonOptions NewtonOptions::damped() const {
+NewtonOptions NewtonOptions::with_growth(double largest) const {
   NewtonOptions result = from_balance();
-  result.largest_growth = 1.2;
+  result.largest_growth = largest;
   return result;
+}
+
+std::vector<NewtonOptions> NewtonOptions::ways() const {
+  constexpr double damped = 1.2, full = 0;
+  if (!may_be_retried()) return {*this};
+  return {*this, with_growth(largest_growth > 0 ? full : damped), creeping()};
 }
 
 NewtonOptions NewtonOptions::creeping() const {
   constexpr int patience = 7;
-  NewtonOptions result = from_balance();
+  NewtonOptions result = with_growth(0);
   result.elastic_share = true;
   result.reuse_jacobian = false;
   result.maximum_iterations = patience * maximum_iterations;
@@ -153,8 +159,9 @@ void NewtonOptions::parameters(Parameters& p) {
   p.add("largest growth", largest_growth, "-", non_negative(),
         "of the residual in one iteration, before its step is halved; 0: any, full steps are tried first");
   p.add("damped retry", damped_retry,
-        "Where full steps do not converge, solve the time step once more with a 'largest growth' of 1.2, then with "
-        "elastic stiffness mixed into the tangents of the soil, before it is cut");
+        "Where full steps do not converge, solve the time step once more with a 'largest growth' of 1.2 (with full "
+        "steps where a 'largest growth' is given), then with elastic stiffness mixed into the tangents of the soil, "
+        "before it is cut");
   p.add("reuse Jacobian", reuse_jacobian,
         "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one "
         "would not pay");
@@ -170,8 +177,6 @@ void NewtonOptions::parameters(Parameters& p) {
   guarded = p.documenting() || !p.deck().has_section("nox");
   for (const char* entry : {"halvings", "largest growth", "damped retry"})
     if (!guarded && p.given(entry)) p.deck().fail("has no effect beside a line search of NOX (section 'nox')", entry);
-  if (largest_growth > 0 && damped_retry && p.given("damped retry"))
-    p.deck().fail("has no effect beside a 'largest growth', which damps all solves", "damped retry");
 }
 
 void NoxLineSearch::FullStep::parameters(Parameters& p) {

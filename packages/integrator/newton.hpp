@@ -72,7 +72,7 @@ struct NewtonOptions {
   int least_iterations = 0;  // required even if the first guess has no residual; not a parameter
   int halvings = 4;
   double largest_growth = 0;   // [-] of the residual in one iteration; 0: no limit
-  bool damped_retry = true;    // whether to try again with damped() and creeping() if full steps do not converge
+  bool damped_retry = true;    // whether to solve once more in other ways where this one does not converge
   bool elastic_share = false;  // mix elastic stiffness into the tangents of soil laws; not a parameter
   bool reuse_jacobian = true;
   double largest_forcing = 0.1;  // fraction of the residual that a linear solve may leave; 0: forcing is off
@@ -81,13 +81,16 @@ struct NewtonOptions {
   bool guarded = true;         // the deck names no line search of NOX
   NoxOptions nox;
   void parameters(Parameters& p);
-  /// Whether a failed solve with these options may be repeated with damped() and creeping().
-  bool may_be_damped() const { return guarded && damped_retry && largest_growth == 0; }
+  /// Whether a solve that does not converge may be repeated in the other ways.
+  bool may_be_retried() const { return guarded && damped_retry; }
+  /// The ways in which a step is solved, one after another until one converges: these options; the other steps, damped
+  /// where these are full, and full where these are damped; elastic stiffness in the soil's tangents.
+  std::vector<NewtonOptions> ways() const;
   /// The same options without a guess on trial.
   NewtonOptions from_balance() const;
-  /// Those, with steps that are halved where the residual grows by more than a fifth.
-  NewtonOptions damped() const;
-  /// Those of from_balance() with a share of elastic stiffness in the soil's tangents, see ElasticShare.
+  /// Those, with another `largest_growth`.
+  NewtonOptions with_growth(double largest) const;
+  /// Those of from_balance() with full steps and a share of elastic stiffness in the soil's tangents, see ElasticShare.
   NewtonOptions creeping() const;
 };
 

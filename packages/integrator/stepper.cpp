@@ -72,8 +72,7 @@ StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& t
 }
 
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
-  std::vector<NewtonOptions> ways = {newton};
-  if (newton.may_be_damped()) ways.insert(ways.end(), {newton.damped(), newton.creeping()});
+  std::vector<NewtonOptions> ways = newton.ways();
   StepReport report;
   std::string reason;  // that of the first way
   for (std::size_t k = 0; k < ways.size(); ++k) {

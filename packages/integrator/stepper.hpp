@@ -28,9 +28,8 @@ class Stepper {
  public:
   /// `system` must outlive it.
   explicit Stepper(StepSystem& system) : system_(system) {}
-  /// Tries one step from the committed state, with full Newton steps; where those do not converge, without a guess on
-  /// trial, then with damped ones, then with a share of elastic stiffness. On success the trial state is complete.
-  /// Collective.
+  /// Tries one step from the committed state in the ways of the options (NewtonOptions::ways); where it does not
+  /// converge from a guess on trial, once more without it. On success the trial state is complete. Collective.
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
  private:
