@@ -86,7 +86,7 @@ void water_at_rest(const Setup& setup, const Judge& judge) {
   const double spread = sums[0] * sums[3] - sums[1] * sums[1];
   if (!(spread > 0)) return;
   const double slope = -(sums[0] * sums[4] - sums[1] * sums[2]) / spread;
-  const double weight = soil.any_of(soil.blocks.front()).fluid->density() * length(setup.gravity_vector());
+  const double weight = soil.any_of(soil.blocks.front()).fluid->density() * length(soil.gravity(0));
   judge(slope / weight, "the growth of the pore pressure with depth at the start, over that of water at rest,",
         "give the start a 'water level', or count pore pressures in excess of water at rest ('pore pressure' = "
         "excess); otherwise the water flows down from the start");

@@ -148,9 +148,21 @@ Function Function::with_text(std::string text) const {
   return copy;
 }
 
-void FunctionLibrary::add(const std::string& name, Function function) {
+void FunctionLibrary::add(const std::string& name, Function function, std::optional<ValueWithUnit> measured) {
   if (!functions_.emplace(name, function.with_text(name)).second)
     throw std::logic_error("the function '" + name + "' is added twice");
+  if (measured) measured_.emplace(name, *measured);
+}
+
+Function FunctionLibrary::resolve(const std::string& text, const std::string& declared) const {
+  const auto measured = measured_.find(trim(text));
+  if (measured == measured_.end()) return resolve(text);
+  try {
+    number_in(declared, measured->second);
+  } catch (const InputError& error) {
+    throw InputError("function '" + measured->first + "': " + error.what());
+  }
+  return resolve(text);
 }
 
 std::vector<std::string> FunctionLibrary::names() const {

@@ -3,9 +3,11 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/unit.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -53,16 +55,20 @@ class FunctionLibrary {
   /// dimension: that of the deck's mesh, 2 or 3; expressions have that many coordinates.
   explicit FunctionLibrary(int dimension = 2) : dimension_(dimension) {}
   int dimension() const { return dimension_; }
-  void add(const std::string& name, Function function);
+  /// `measured`: a value of the function with its unit; nothing where its values are plain numbers.
+  void add(const std::string& name, Function function, std::optional<ValueWithUnit> measured = {});
   std::vector<std::string> names() const;
   bool contains(const std::string& name) const { return functions_.count(name) != 0; }
 
   /// A number ("3.5"), a quantity ("3 kPa", as ValueWithUnit::plain()), a function's name, or an expression
   /// ("10*sin(5*t)"). Throws InputError without position (the caller adds path and line) with the parser's reason.
   Function resolve(const std::string& text) const;
+  /// The same where values in the unit `declared` are wanted: InputError for a named function of another measure.
+  Function resolve(const std::string& text, const std::string& declared) const;
 
  private:
   std::map<std::string, Function> functions_;
+  std::map<std::string, ValueWithUnit> measured_;  // by name of a function whose values have a unit
   int dimension_;
 };
 

@@ -88,6 +88,10 @@ class ProfileDefinition : public FunctionDefinition {
                          number_text(depths_[i - 1]) + " (row " + std::to_string(i + 1) + ")" +
                          (depths_[i] < 0 ? "; they are counted down from the surface, as positive numbers" : ""),
                      file_.empty() ? "depths" : "file");
+    if (depths_.front() < 0 && depths_.back() <= 0)
+      section.fail("depths are counted down from the surface, as positive numbers; given " +
+                       number_text(depths_.front()) + " to " + number_text(depths_.back()) + ", all above it",
+                   file_.empty() ? "depths" : "file");
     if (!file_.empty()) check_factor(section);
     for (double& value : values_) value *= factor_;
   }
@@ -109,8 +113,11 @@ class ProfileDefinition : public FunctionDefinition {
 
   /// Depths in the unit that their column's name ends with; InputError where it is none of length.
   void convert_depths(const Section& section) {
-    const auto unit = unit_of(depth_column_);
-    if (!unit) return;
+    const auto word = unit_word(depth_column_);
+    if (!word) return;
+    const auto unit = parse_unit(*word);
+    if (!unit)
+      section.fail("[" + *word + "] is no unit; a column of depths is in [m], [cm], [mm] or [km]", "depth column");
     try {
       for (double& depth : depths_) depth = number_in("m", {depth, *unit, depth_column_});
     } catch (const InputError& error) {
@@ -120,17 +127,23 @@ class ProfileDefinition : public FunctionDefinition {
 
   /// InputError where the column's name ends with a unit that is not the program's own, and no factor is given.
   void check_factor(const Section& section) const {
-    const auto unit = unit_of(value_column_);
-    const double factor = unit ? ValueWithUnit{1, *unit, value_column_}.plain() : 1;
-    if (factor == 1 || section.has_parameter("factor")) return;
-    section.fail("'" + value_column_ + "' needs a 'factor', " + number_text(factor) + " by this unit", "value column");
+    const auto word = unit_word(value_column_);
+    if (!word || section.has_parameter("factor")) return;
+    const auto unit = parse_unit(*word);
+    if (!unit)
+      section.fail("[" + *word + "] is no unit that is known: give a 'factor', 1 for numbers as they are",
+                   "value column");
+    const double factor = ValueWithUnit{1, *unit, value_column_}.plain();
+    if (factor != 1)
+      section.fail("'" + value_column_ + "' needs a 'factor', " + number_text(factor) + " by this unit",
+                   "value column");
   }
 
-  /// The unit at the end of a column's name, as in "s_u [kPa]"; nothing where there is none that is known.
-  static std::optional<Unit> unit_of(const std::string& column) {
+  /// What stands in brackets at the end of a column's name, as in "s_u [kPa]".
+  static std::optional<std::string> unit_word(const std::string& column) {
     const std::size_t begin = column.rfind('[');
     if (begin == std::string::npos || column.back() != ']') return std::nullopt;
-    return parse_unit(column.substr(begin + 1, column.size() - begin - 2));
+    return column.substr(begin + 1, column.size() - begin - 2);
   }
 
   std::vector<double> depths_, values_;
@@ -179,6 +192,23 @@ bool reserved(const std::string& name) {
   }
 }
 
+/// The first value of a function that has a unit; nothing where none has. InputError where another measures something
+/// else.
+std::optional<ValueWithUnit> measured(const Section& function) {
+  std::optional<ValueWithUnit> first;
+  for (const char* entry : {"value", "values"}) {
+    const auto* const quantities = function.quantities(entry);
+    if (!quantities) continue;
+    for (const auto& quantity : *quantities) {
+      if (!quantity) continue;
+      if (!first) first = quantity;
+      if (quantity->unit.powers != first->unit.powers)
+        function.fail("'" + quantity->text + "' measures something else than '" + first->text + "'", entry);
+    }
+  }
+  return first;
+}
+
 }  // namespace
 
 void register_functions(Registry<FunctionDefinition>& functions) {
@@ -194,7 +224,7 @@ FunctionLibrary read_functions(const Section& functions, const Registry<Function
   for (const std::string& name : functions.section_names()) {
     const Section section = functions.section(name);
     if (reserved(name)) section.fail("a function cannot be called '" + name + "', which is a number or an expression");
-    library.add(name, types.create(section)->make());
+    library.add(name, types.create(section)->make(), measured(section));
   }
   return library;
 }

@@ -108,7 +108,7 @@ Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibra
   if (entry.isType<std::string>()) {
     const auto& text = used_value<std::string>(entry);
     const auto quantity = parse_quantity(text);
-    return quantity ? Function(number_in(unit, *quantity)) : library.resolve(text);
+    return quantity ? Function(number_in(unit, *quantity)) : library.resolve(text, unit);
   }
   if (!entry.isType<double>() && !entry.isType<int>())
     mismatch("a number, an expression or the name of a function", entry);

@@ -290,7 +290,9 @@ void InitialState::check_strength(const Soil& soil, bool found, const Section& s
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
   check(section);
   if (kind_ == Kind::from_result) return;
-  const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);
+  const double g = length(gravity.at(0));
+  if (g == 0 && length(gravity.vector) > 0 && (kind_ == Kind::geostatic || has_water_))
+    section.fail("the 'gravity factor' is 0 at t = 0, when this start takes gravity", "type");
   check_model(soil, g, section);
   const std::optional<GeostaticColumn> column = ground(soil, g, section);
   if (column) set_pressure(soil, store, [&](double y) { return column->pore_pressure(y); });

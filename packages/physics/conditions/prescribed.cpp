@@ -240,7 +240,11 @@ void HydrostaticCondition::parameters(Parameters& p) {
 
 void HydrostaticCondition::bind(const ConditionContext& context, const Section& section) {
   Prescribed::bind(context, section);
-  if (const auto soil = context.shared.find<Soil>())
+  const auto soil = context.shared.find<Soil>();
+  if (soil && soil->excess)
+    section.fail("pore pressures are in excess of water at rest, which a water level gives: use a 'pore pressure' of 0",
+                 "type");
+  if (soil)
     up_ = soil->up;
   else
     up_[space_->mesh().dimension() - 1] = 1;

@@ -52,6 +52,20 @@ TEST(InitialState, StressFreeIsTheDefault) {
   });
 }
 
+/// In a centrifuge stresses and pore pressures are those of the gravity at t = 0.
+TEST(InitialState, GeostaticStressesAreThoseOfTheGravityAtTheStart) {
+  SoilModel model("", gravity + text_parameter("gravity factor", "50 + t") +
+                          start(text_parameter("type", "geostatic") + number_parameter("surcharge", 500) +
+                                number_parameter("water level", 2) + number_parameter("K0", 0.75)));
+  for_each_point(model, [](const double* s, double y) {
+    EXPECT_NEAR(s[1], -(500 + 50 * (19600 * (3 - y) - 1e4 * (2 - y))), 1e-6);
+  });
+  for (int node = 0; node < model.mesh->num_nodes(); ++node)
+    if (model.p(node) >= 0) {
+      EXPECT_NEAR(model.store->committed().value(model.p(node)), 5e5 * (2 - model.x(node, 1)), 1e-6);
+    }
+}
+
 /// gamma = 10 (0.6 2600 + 0.4 1000) = 19.6 kPa/m above and below the water, which is at y = 2 of 3 m.
 TEST(InitialState, GeostaticStressesAreThoseOfTheWeightLessTheWaterPressure) {
   SoilModel model("", gravity + start(text_parameter("type", "geostatic") + number_parameter("surcharge", 500) +
