@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/caught_in_kernel.hpp"
+#include "core/compiles.hpp"
 #include "core/errors.hpp"
 #include "materials/numbers_of_place.hpp"
 #include "materials/skeleton.hpp"
@@ -65,7 +66,7 @@ class PointwiseSkeleton : public Skeleton {
     law_.parameters(p);
     p.let_vary(nullptr);
     numbers_.settle(&law_, sizeof law_, variables_);
-    if constexpr (detail_has_small_strain<Law>::value)
+    if constexpr (compiles<SmallStrain, Law>)
       if (p.documenting() || p.deck().has_section("small-strain stiffness")) {
         Varying strings{small_strain_, small_numbers_};
         p.section("small-strain stiffness", strings,
@@ -110,38 +111,38 @@ class PointwiseSkeleton : public Skeleton {
     return found;
   }
   bool volume_apart() const override {
-    if constexpr (detail_has_volume_apart<Law>::value)
+    if constexpr (compiles<VolumeApart, Law>)
       return Law::volume_apart;
     else
       return Skeleton::volume_apart();
   }
-  bool hardens_with_volume() const override { return detail_hardens_with_volume<Law>::value; }
+  bool hardens_with_volume() const override { return compiles<HardensWithVolume, Law>; }
   Strengths strengths() const override {
-    if constexpr (detail_has_reduce_strength<Law>::value)
+    if constexpr (compiles<ReduceStrength, Law>)
       return Strengths::reducible;
     else
-      return detail_has_no_strength<Law>::value ? Strengths::none : Strengths::unknown;
+      return compiles<NoStrength, Law> ? Strengths::none : Strengths::unknown;
   }
   double k0(const InitialPoint& point) const override {
-    if constexpr (detail_has_k0<Law>::value)
+    if constexpr (compiles<K0, Law>)
       return law_at(point).k0(point.overconsolidation_ratio);
     else
       return Skeleton::k0(point);
   }
   double void_ratio(const InitialPoint& point) const override {
-    if constexpr (detail_has_void_ratio<Law>::value)
+    if constexpr (compiles<VoidRatio, Law>)
       return law_at(point).void_ratio(point);
     else
       return Skeleton::void_ratio(point);
   }
   SoilState soil_state(const double* stress, double void_ratio, const double* state) const override {
-    if constexpr (detail_has_soil_state<Law>::value)
+    if constexpr (compiles<SoilStateOf, Law>)
       return law_of(state).soil_state(stress, void_ratio, state);
     else
       return Skeleton::soil_state(stress, void_ratio, state);
   }
   std::optional<EarthPressures> earth_pressures(double vertical, const InitialPoint& point) const override {
-    if constexpr (detail_has_earth_pressures<Law>::value)
+    if constexpr (compiles<EarthPressuresOf, Law>)
       return law_at(point).earth_pressures(vertical, point.height);
     else
       return Skeleton::earth_pressures(vertical, point);
@@ -204,6 +205,28 @@ class PointwiseSkeleton : public Skeleton {
   const Law& law() const { return law_; }
 
  private:
+  // Members that a law may have, besides OwnCheck.
+  template <class T>
+  using Prepare = decltype(std::declval<T&>().prepare());
+  template <class T>
+  using VolumeApart = decltype(T::volume_apart);
+  template <class T>
+  using HardensWithVolume = std::enable_if_t<T::hardens_with_volume>;
+  template <class T>
+  using ReduceStrength = decltype(std::declval<T&>().reduce_strength(1.0));
+  template <class T>
+  using NoStrength = decltype(T::no_strength);
+  template <class T>
+  using SmallStrain = decltype(T::small_strain);
+  template <class T>
+  using K0 = decltype(std::declval<const T&>().k0(1.0));
+  template <class T>
+  using VoidRatio = decltype(std::declval<const T&>().void_ratio(std::declval<const InitialPoint&>()));
+  template <class T>
+  using SoilStateOf = decltype(std::declval<const T&>().soil_state(nullptr, 1.0, nullptr));
+  template <class T>
+  using EarthPressuresOf = decltype(std::declval<const T&>().earth_pressures(1.0, 1.0));
+
   /// Lets the numbers of a section be functions of the place.
   struct Varying {
     SmallStrainStiffness& stiffness;
@@ -215,11 +238,11 @@ class PointwiseSkeleton : public Skeleton {
     }
   };
   static void check(Law& law, const Section& section) {
-    if constexpr (detail_has_check<Law>::value) law.check(section);
+    if constexpr (compiles<OwnCheck, Law>) law.check(section);
   }
   template <class Any>
   static void prepare(Any& law) {
-    if constexpr (detail_has_prepare<Any>::value) law.prepare();
+    if constexpr (compiles<Prepare, Any>) law.prepare();
   }
   /// Turns the derivative by the law's strain into that by the strain.
   static KOKKOS_INLINE_FUNCTION void chain_rule(const double* by_strain, bool plane, double* tangent) {
@@ -234,7 +257,7 @@ class PointwiseSkeleton : public Skeleton {
   }
   /// The law with its strengths divided by a factor.
   static Law with_strength_over(double factor, Law law) {
-    if constexpr (detail_has_reduce_strength<Law>::value) law.reduce_strength(factor);
+    if constexpr (compiles<ReduceStrength, Law>) law.reduce_strength(factor);
     prepare(law);
     return law;
   }
@@ -267,56 +290,6 @@ class PointwiseSkeleton : public Skeleton {
     numbers_.at(point.position, state.data() + numbers_.members().first);
     return law_of(state.data());
   }
-  template <class T, class = void>
-  struct detail_has_prepare : std::false_type {};
-  template <class T>
-  struct detail_has_prepare<T, std::void_t<decltype(std::declval<T&>().prepare())>> : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_check : std::false_type {};
-  template <class T>
-  struct detail_has_check<T, std::void_t<decltype(std::declval<T&>().check(std::declval<const Section&>()))>>
-      : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_volume_apart : std::false_type {};
-  template <class T>
-  struct detail_has_volume_apart<T, std::void_t<decltype(T::volume_apart)>> : std::true_type {};
-  template <class T, class = void>
-  struct detail_hardens_with_volume : std::false_type {};
-  template <class T>
-  struct detail_hardens_with_volume<T, std::enable_if_t<T::hardens_with_volume>> : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_reduce_strength : std::false_type {};
-  template <class T>
-  struct detail_has_reduce_strength<T, std::void_t<decltype(std::declval<T&>().reduce_strength(1.0))>>
-      : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_no_strength : std::false_type {};
-  template <class T>
-  struct detail_has_no_strength<T, std::void_t<decltype(T::no_strength)>> : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_small_strain : std::false_type {};
-  template <class T>
-  struct detail_has_small_strain<T, std::void_t<decltype(T::small_strain)>> : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_k0 : std::false_type {};
-  template <class T>
-  struct detail_has_k0<T, std::void_t<decltype(std::declval<const T&>().k0(1.0))>> : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_void_ratio : std::false_type {};
-  template <class T>
-  struct detail_has_void_ratio<
-      T, std::void_t<decltype(std::declval<const T&>().void_ratio(std::declval<const InitialPoint&>()))>>
-      : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_soil_state : std::false_type {};
-  template <class T>
-  struct detail_has_soil_state<T, std::void_t<decltype(std::declval<const T&>().soil_state(nullptr, 1.0, nullptr))>>
-      : std::true_type {};
-  template <class T, class = void>
-  struct detail_has_earth_pressures : std::false_type {};
-  template <class T>
-  struct detail_has_earth_pressures<T, std::void_t<decltype(std::declval<const T&>().earth_pressures(1.0, 1.0))>>
-      : std::true_type {};
 
   Law law_{};
   std::vector<StateVariable> variables_;
