@@ -19,8 +19,9 @@ struct Conductivity {
   };
   enum class Form {
     constant,       // k = k0
-    kozeny_carman,  // k = k0 c(e)/c(e0) with c(e) = e^3/(1+e); 0 where e is not positive
-    log_linear,     // k = k0 10^((e - e0)/Ck)
+    kozeny_carman,  // k = k0 c(e)/c(e0) with c(e) = e^3/(1+e); 0 where e is not positive (Carman 1937; Lambe & Whitman
+                    // 1969, ch. 19)
+    log_linear,     // k = k0 10^((e - e0)/Ck) (Taylor 1948, Fundamentals of Soil Mechanics, ch. 6)
     law             // a law of a plugin, which the host can ask and a device cannot
   };
   Form form = Form::constant;
@@ -70,18 +71,28 @@ class Permeability {
   }
 };
 
-/// A law that has a form of its own among those of Conductivity. Its numbers may be functions of the place.
+/// A law with one of the forms of Conductivity. Its numbers may be functions of the place.
+template <Conductivity::Form form>
 class PermeabilityOfForm : public Permeability {
  public:
+  PermeabilityOfForm() { law_.form = form; }
   void parameters(Parameters& p) {
+    constexpr bool constant = form == Conductivity::Form::constant;
     p.let_vary(&varying_.collected());
-    own_parameters(p);
+    p.required(
+        "hydraulic conductivity", law_.k0, "m/s", non_negative(),
+        constant ? "Conductivity to the pore fluid at every void ratio" : "Conductivity at the reference void ratio");
+    if (form == Conductivity::Form::log_linear)
+      p.required("permeability index", law_.ck, "-", positive(), "Ck, change of void ratio for a tenfold conductivity");
+    if (!constant)
+      p.add("reference void ratio", law_.e0, "-", non_negative(),
+            "Void ratio to which the conductivity refers; 0: that of each point at the start");
     p.let_vary(nullptr);
     std::vector<StateVariable> none;
     varying_.settle(&law_, sizeof law_, none);
   }
-  bool varies() const final { return !varying_.empty(); }
-  std::string numbers_at(const Point& place, double* numbers) const final {
+  bool varies() const override { return !varying_.empty(); }
+  std::string numbers_at(const Point& place, double* numbers) const override {
     std::vector<double> values(varying_.size());
     const std::string problem = varying_.at(place, values.data());
     Conductivity here = law_;
@@ -89,17 +100,13 @@ class PermeabilityOfForm : public Permeability {
     here.write_numbers(numbers);
     return problem;
   }
-  Value conductivity(double void_ratio, double initial_void_ratio) const final {
+  Value conductivity(double void_ratio, double initial_void_ratio) const override {
     return law_(void_ratio, initial_void_ratio);
   }
-  Conductivity in_kernels() const final { return law_; }
-
- protected:
-  explicit PermeabilityOfForm(Conductivity::Form form) { law_.form = form; }
-  virtual void own_parameters(Parameters& p) = 0;
-  Conductivity law_;
+  Conductivity in_kernels() const override { return law_; }
 
  private:
+  Conductivity law_;
   NumbersOfPlace varying_;
 };
 

@@ -1,9 +1,7 @@
 #include "materials/register_materials.hpp"
 
 #include "materials/fluid/water.hpp"
-#include "materials/permeability/constant.hpp"
-#include "materials/permeability/kozeny_carman.hpp"
-#include "materials/permeability/log_linear.hpp"
+#include "materials/permeability.hpp"
 #include "materials/skeleton/drucker_prager.hpp"
 #include "materials/skeleton/hypoplasticity.hpp"
 #include "materials/skeleton/linear_elastic.hpp"
@@ -38,9 +36,12 @@ void register_materials(Registry<Skeleton>& skeletons, Registry<Fluid>& fluids,
       "s-clay1s", "Natural clay: Cam Clay with fabric, bonding and creep, each by its numbers");
   skeletons.add<Umat>("umat", "A subroutine UMAT as finite-element programs take it, from a shared library");
   fluids.add<Water>("water", "Slightly compressible or incompressible water");
-  permeabilities.add<ConstantPermeability>("constant", "The same conductivity at every void ratio");
-  permeabilities.add<KozenyCarmanPermeability>("kozeny-carman", "Conductivity follows the void ratio by Kozeny-Carman");
-  permeabilities.add<LogLinearPermeability>("log-linear", "The logarithm of conductivity is linear in the void ratio");
+  permeabilities.add<PermeabilityOfForm<Conductivity::Form::constant>>("constant",
+                                                                       "The same conductivity at every void ratio");
+  permeabilities.add<PermeabilityOfForm<Conductivity::Form::kozeny_carman>>(
+      "kozeny-carman", "Conductivity follows the void ratio by Kozeny-Carman");
+  permeabilities.add<PermeabilityOfForm<Conductivity::Form::log_linear>>(
+      "log-linear", "The logarithm of conductivity is linear in the void ratio");
 }
 
 }  // namespace mudline
