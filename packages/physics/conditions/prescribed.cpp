@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/device_copy.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline {
@@ -14,46 +13,6 @@ void require_component(const Section& section, const std::array<bool, axis_names
   if (std::none_of(given.begin(), given.end(), [](bool g) { return g; }))
     section.fail(section.dimension() == 3 ? "at least one of 'x', 'y' and 'z' must be given"
                                           : "at least one of 'x' and 'y' must be given");
-}
-
-KOKKOS_INLINE_FUNCTION void give(const Constraints& to, const GivenValue& given, double value) {
-  if (given.outside)
-    to.open_to(given.dof, value);
-  else
-    to.prescribe(given.dof, value);
-}
-
-// Kernels for each given value, and their launch.
-struct SetValue {
-  Kokkos::View<const GivenValue*> given;
-  Constraints to;
-  KOKKOS_FUNCTION void operator()(int i) const { give(to, given(i), given(i).value); }
-};
-struct SetChange {  // the value is a change over the step
-  Kokkos::View<const GivenValue*> given;
-  Constraints to;
-  ConstNodalView before;
-  KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, before(given(i).dof) + given(i).value); }
-};
-struct SetHead {  // the given value is the water level
-  Kokkos::View<const GivenValue*> given;
-  Constraints to;
-  ConstCoordinateView x;
-  Kokkos::Array<double, 3> up;
-  double unit_weight;
-  bool below_only, suction;  // whether nothing is prescribed above the level, or a suction
-  KOKKOS_FUNCTION void operator()(int i) const {
-    double height = 0;
-    for (int k = 0; k < static_cast<int>(x.extent(1)); ++k) height += up[k] * x(given(i).node, k);
-    const double pressure = unit_weight * (given(i).value - height);
-    if (pressure < 0 && below_only) return;
-    give(to, given(i), pressure > 0 || suction ? pressure : 0.0);
-  }
-};
-template <class Kernel, class... More>
-void set_given(const std::vector<GivenValue>& given, const Constraints& to, const More&... more) {
-  Kokkos::parallel_for("given values", Kokkos::RangePolicy<>(0, static_cast<int>(given.size())),
-                       Kernel{device_copy(given), to, more...});
 }
 
 }  // namespace
@@ -151,12 +110,10 @@ void DisplacementCondition::parameters(Parameters& p) {
 void DisplacementCondition::check(const Section& section) { require_component(section, given_); }
 
 void DisplacementCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<GivenValue> given;
   for_each_node([&](int dof, int node, const Point& x) {
     for (int i = 0; i < space_->mesh().dimension(); ++i)
-      if (given_[i]) given.push_back({dof + i, node, component_[i](t_end, x)});
+      if (given_[i]) to.prescribe(dof + i, component_[i](t_end, x));
   });
-  set_given<SetValue>(given, to);
 }
 
 void VelocityCondition::parameters(Parameters& p) {
@@ -182,7 +139,6 @@ void VelocityCondition::prescribe(double t_old, double t_end, const State& commi
   // Three Gauss points integrate the cubic ramp exactly within a step.
   const double dt = t_end - t_old, place[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)},
                weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  std::vector<GivenValue> given;
   for_each_node([&](int dof, int node, const Point& x) {
     for (int i = 0; i < space_->mesh().dimension(); ++i) {
       if (!given_[i]) continue;
@@ -191,10 +147,9 @@ void VelocityCondition::prescribe(double t_old, double t_end, const State& commi
         const double t = t_old + 0.5 * dt * (1 + place[q]);
         change += weight[q] * dt * ramp(t) * component_[i](t, x);
       }
-      given.push_back({dof + i, node, change});
+      to.prescribe(dof + i, committed.value(dof + i) + change);
     }
   });
-  set_given<SetChange>(given, to, committed.value);
 }
 
 void FixedCondition::parameters(Parameters& p) {
@@ -209,12 +164,10 @@ void FixedCondition::parameters(Parameters& p) {
 }
 
 void FixedCondition::prescribe(double, double, const State&, Constraints& to) const {
-  std::vector<GivenValue> given;
   for_each_node([&](int dof, int node, const Point&) {
     for (int i = 0; i < space_->mesh().dimension(); ++i)
-      if (static_cast<int>(components_) & 1 << i) given.push_back({dof + i, node, 0.0});
+      if (static_cast<int>(components_) & 1 << i) to.prescribe(dof + i, 0.0);
   });
-  set_given<SetValue>(given, to);
 }
 
 void PorePressureCondition::parameters(Parameters& p) {
@@ -223,9 +176,7 @@ void PorePressureCondition::parameters(Parameters& p) {
 }
 
 void PorePressureCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<GivenValue> values;
-  for_each_open_node([&](int dof, int node, const Point& x) { values.push_back(given(dof, node, value_(t_end, x))); });
-  set_given<SetValue>(values, to);
+  for_each_open_node([&](int dof, int node, const Point& x) { give(to, dof, node, value_(t_end, x)); });
 }
 
 void HydrostaticCondition::parameters(Parameters& p) {
@@ -251,10 +202,13 @@ void HydrostaticCondition::bind(const ConditionContext& context, const Section& 
 }
 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
-  std::vector<GivenValue> values;
-  for_each_open_node([&](int dof, int node, const Point& x) { values.push_back(given(dof, node, level_(t_end, x))); });
-  set_given<SetHead>(values, to, committed.coordinates, Kokkos::Array<double, 3>{up_[0], up_[1], up_[2]}, unit_weight_,
-                     above_ == Above::free, above_ == Above::suction);
+  for_each_open_node([&](int dof, int node, const Point& x) {
+    double height = 0;
+    for (int k = 0; k < space_->mesh().dimension(); ++k) height += up_[k] * committed.coordinates(node, k);
+    const double pressure = unit_weight_ * (level_(t_end, x) - height);
+    if (pressure < 0 && above_ == Above::free) return;
+    give(to, dof, node, pressure > 0 || above_ == Above::suction ? pressure : 0.0);
+  });
 }
 
 void ValueCondition::parameters(Parameters& p) {
@@ -273,10 +227,7 @@ void ValueCondition::bind(const ConditionContext& context, const Section& sectio
 }
 
 void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<GivenValue> values;
-  for_each_open_node(
-      [&](int dof, int node, const Point& x) { values.push_back(given(dof + component_, node, value_(t_end, x))); });
-  set_given<SetValue>(values, to);
+  for_each_open_node([&](int dof, int node, const Point& x) { give(to, dof + component_, node, value_(t_end, x)); });
 }
 
 }  // namespace mudline

@@ -16,13 +16,6 @@ namespace mudline {
 /// `field`, or at the `type` where that says the field.
 int conditioned_field(const Space& space, const Section& section, const std::string& name);
 
-/// Value of an unknown given by a function of the deck. Functions are evaluated on the host; a kernel sets the values.
-struct GivenValue {
-  int dof, node;
-  double value;
-  bool outside = false;  // it is the pressure of the water outside, at an open boundary
-};
-
 /// Conditions that prescribe nodal unknowns on a set.
 class Prescribed : public Condition, public HoldsOnOpenSides {
  public:
@@ -33,7 +26,7 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
 
  protected:
   /// Name of the prescribed field, which must exist.
-  virtual std::string field_name() const = 0;
+  virtual std::string field_name() const { return "displacement"; }
   /// Declares the parameter "set".
   void declare_set(Parameters& p);
   /// Calls f(dof of component 0, node, initial position) for the bound nodes.
@@ -45,9 +38,12 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
       f(dof, node, space_->mesh().place(node));
     }
   }
-  /// A value of an unknown at a node.
-  GivenValue given(int dof, int node, double value) const {
-    return {dof, node, value, !opens_.empty() && opens_[node] != 0};
+  /// Prescribes an unknown at a node or, at an open boundary, the pressure of the water outside.
+  void give(const Constraints& to, int dof, int node, double value) const {
+    if (!opens_.empty() && opens_[node] != 0)
+      to.open_to(dof, value);
+    else
+      to.prescribe(dof, value);
   }
   /// Like for_each_node(), but leaves out nodes whose sides in the set are all closed to water by bodies. Only a pore
   /// pressure on a set of sides has such nodes.
@@ -81,9 +77,6 @@ class DisplacementCondition : public Prescribed {
   void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
   bool drives() const override { return true; }
 
- protected:
-  std::string field_name() const override { return "displacement"; }
-
  private:
   std::array<Function, axis_names.size()> component_;
   std::array<bool, axis_names.size()> given_{};
@@ -97,9 +90,6 @@ class VelocityCondition : public Prescribed {
   void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
   bool drives() const override { return true; }
 
- protected:
-  std::string field_name() const override { return "displacement"; }
-
  private:
   double ramp(double time) const;
   std::array<Function, axis_names.size()> component_;
@@ -112,9 +102,6 @@ class FixedCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
   void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
-
- protected:
-  std::string field_name() const override { return "displacement"; }
 
  private:
   /// Sums of 1 << direction.
