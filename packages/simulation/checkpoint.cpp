@@ -238,7 +238,7 @@ void Checkpoint::write(Model& model, const ExcessPressure& pressure, const Progr
   if (model.ale() && model.ale()->remeshing()) data.scalars["remesh tried"] = progress.remesh_tried;
   if (model.remeshed())
     data.integers[remeshed_mesh] = comm.getRank() == 0 ? packed(model.remeshed()->bytes()) : std::vector<long long>();
-  CheckpointWriter(model.mesh().comm(), signature_of(model.mesh())).write(path_, data);
+  write_checkpoint(comm, path_, signature_of(model.mesh()), data);
 }
 
 void Checkpoint::keep_as(const std::string& path, const Comm& comm) const {
@@ -248,7 +248,7 @@ void Checkpoint::keep_as(const std::string& path, const Comm& comm) const {
 }
 
 Origin Checkpoint::origin_of(const std::string& path, const RCP<const Comm>& comm) {
-  const auto texts = CheckpointReader(comm, MeshSignature()).texts(path);
+  const auto texts = read_checkpoint_texts(*comm, path);
   if (texts.count("deck") == 0 || texts.count(deck_file) == 0)
     throw InputError(path + ": it is of an earlier version, which did not keep where its deck was");
   return {texts.at("deck"), texts.at(deck_file), ""};
@@ -261,13 +261,12 @@ std::shared_ptr<const RemeshedMesh> Checkpoint::open(const Mesh& mesh) {
       throw InputError(path_ + ": there is no such checkpoint" +
                        (use_ == For::restart ? "; --restart continues a run of the same deck that left one" : ""));
   });
-  const CheckpointReader reader(mesh.comm(), signature_of(mesh));
-  const auto texts = reader.texts(path_);
+  const auto texts = read_checkpoint_texts(comm, path_);
   const auto deck = texts.find("deck");
   if (deck == texts.end()) throw InputError(path_ + ": the checkpoint lacks its deck");
   old_deck_ = deck->second;
   check_model();
-  const std::vector<long long> written = reader.first_integers(path_, remeshed_mesh);
+  const std::vector<long long> written = read_checkpoint_integers(comm, path_, remeshed_mesh);
   if (max_over_ranks(comm, static_cast<double>(written.size())) == 0) return nullptr;
   RemeshedMesh remeshed;
   if (!written.empty()) remeshed = RemeshedMesh::from_bytes(unpacked(written));
@@ -276,7 +275,7 @@ std::shared_ptr<const RemeshedMesh> Checkpoint::open(const Mesh& mesh) {
 
 void Checkpoint::read(Model& model, const ExcessPressure& pressure, Progress& progress) {
   const RCP<const Comm> comm = model.mesh().comm();
-  data_ = CheckpointReader(comm, signature_of(model.mesh())).read(path_);
+  data_ = read_checkpoint(*comm, path_, signature_of(model.mesh()));
   if (data_.moved_nodes)
     refuse_or_warn("the source of the mesh gives its nodes other coordinates than those of the first run");
   if (data_.ranks > 0)

@@ -25,9 +25,9 @@ CheckpointData example() {
   return data;
 }
 
-std::string read_damaged(const CheckpointReader& reader, const CheckpointData& whole, const std::string& bytes) {
+std::string read_damaged(const MeshSignature& mesh, const CheckpointData& whole, const std::string& bytes) {
   std::ofstream(damaged_file, std::ios::binary) << bytes;
-  const CheckpointData read = reader.read(damaged_file);
+  const CheckpointData read = read_checkpoint(*Tpetra::getDefaultComm(), damaged_file, mesh);
   const bool same = read.arrays == whole.arrays && read.integers == whole.integers && read.scalars == whole.scalars &&
                     read.texts == whole.texts;
   return same ? "" : "a damaged checkpoint was read, with other content";
@@ -44,12 +44,11 @@ int main(int argc, char** argv) {
   const auto seed = std::strtoull(argv[2], nullptr, 10);
   Tpetra::ScopeGuard scope(&argc, &argv);
   const MeshSignature mesh{9, 4, 9, 9, 4, 77};
-  CheckpointWriter(Tpetra::getDefaultComm(), mesh).write(whole_file, example());
-  const CheckpointReader reader(Tpetra::getDefaultComm(), mesh);
-  const CheckpointData whole = reader.read(whole_file);
+  write_checkpoint(*Tpetra::getDefaultComm(), whole_file, mesh, example());
+  const CheckpointData whole = read_checkpoint(*Tpetra::getDefaultComm(), whole_file, mesh);
   const int code = mudline::fuzz::run(
       {mudline::fuzz::read_file(whole_file)}, {}, seconds, seed, "fuzz_failure.h5", [&](const std::string& bytes) {
-        return mudline::fuzz::fault_of([&] { return read_damaged(reader, whole, bytes); });
+        return mudline::fuzz::fault_of([&] { return read_damaged(mesh, whole, bytes); });
       });
   for (const char* path : {whole_file, damaged_file}) std::remove(path);
   return code;

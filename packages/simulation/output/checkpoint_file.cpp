@@ -141,11 +141,9 @@ MeshSignature signature_of(const Mesh& mesh) {
   return signature;
 }
 
-CheckpointWriter::CheckpointWriter(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh)
-    : comm_(std::move(comm)), mesh_(mesh) {}
-
-void CheckpointWriter::write(const std::string& path, const CheckpointData& data) const {
-  const MPI_Comm mpi = raw_communicator(*comm_);
+void write_checkpoint(const Teuchos::Comm<int>& comm, const std::string& path, const MeshSignature& mesh,
+                      const CheckpointData& data) {
+  const MPI_Comm mpi = raw_communicator(comm);
   std::string names;
   append_names(names, data.arrays);
   append_names(names, data.integers);
@@ -159,25 +157,22 @@ void CheckpointWriter::write(const std::string& path, const CheckpointData& data
   for (const auto& [name, array] : data.integers) size.bytes += array.size() * sizeof(long long);
   for (const auto& [name, text] : data.texts) size.bytes += text.size();
   const std::string error = write_whole_and_seal(mpi, path, size, kind, format_version,
-                                                 [&](hid_t file) { write_content(mpi, file, mesh_, data); });
+                                                 [&](hid_t file) { write_content(mpi, file, mesh, data); });
   if (!error.empty()) throw RunError("checkpoint '" + path + "': " + error);
 }
 
-CheckpointReader::CheckpointReader(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh)
-    : comm_(std::move(comm)), mesh_(mesh) {}
+namespace {
 
-void CheckpointReader::check_seal(const std::string& path) const {
+void check_seal(const Teuchos::Comm<int>& comm, const std::string& path) {
   std::string error;
-  if (comm_->getRank() == 0) {
+  if (comm.getRank() == 0) {
     std::error_code ignored;
     error = !std::filesystem::is_regular_file(path, ignored) ? "there is no such checkpoint"
                                                              : broken_seal(path, kind, format_version);
   }
-  error = agreed_message(raw_communicator(*comm_), error);
+  error = agreed_message(raw_communicator(comm), error);
   if (!error.empty()) throw InputError(path + ": " + error);
 }
-
-namespace {
 
 /// Runs an action that reads a checkpoint; errors of HDF5 become InputErrors with the file's name.
 template <class Action>
@@ -193,18 +188,19 @@ void reading(const std::string& path, Action&& action) {
 
 }  // namespace
 
-std::map<std::string, std::string> CheckpointReader::texts(const std::string& path) const {
-  check_seal(path);
+std::map<std::string, std::string> read_checkpoint_texts(const Teuchos::Comm<int>& comm, const std::string& path) {
+  check_seal(comm, path);
   std::map<std::string, std::string> result;
-  reading(path, [&] { result = read_texts(h5::open_file(raw_communicator(*comm_), path, false)); });
+  reading(path, [&] { result = read_texts(h5::open_file(raw_communicator(comm), path, false)); });
   return result;
 }
 
-std::vector<long long> CheckpointReader::first_integers(const std::string& path, const std::string& name) const {
+std::vector<long long> read_checkpoint_integers(const Teuchos::Comm<int>& comm, const std::string& path,
+                                                const std::string& name) {
   std::vector<long long> result;
-  const bool first = comm_->getRank() == 0;
+  const bool first = comm.getRank() == 0;
   reading(path, [&] {
-    const auto file = h5::open_file(raw_communicator(*comm_), path, false);
+    const auto file = h5::open_file(raw_communicator(comm), path, false);
     const auto group = h5::open_group(file, "integers");
     for (const std::string& link : h5::names(group))
       if (first && h5::unescaped(link) == name) result = h5::read_all<long long>(group, link);
@@ -212,21 +208,21 @@ std::vector<long long> CheckpointReader::first_integers(const std::string& path,
   return result;
 }
 
-CheckpointData CheckpointReader::read(const std::string& path) const {
-  check_seal(path);
-  const MPI_Comm mpi = raw_communicator(*comm_);
-  const int rank = comm_->getRank();
+CheckpointData read_checkpoint(const Teuchos::Comm<int>& comm, const std::string& path, const MeshSignature& mesh) {
+  check_seal(comm, path);
+  const MPI_Comm mpi = raw_communicator(comm);
+  const int rank = comm.getRank();
   CheckpointData data;
   reading(path, [&] {
     const auto file = h5::open_file(mpi, path, false);
     const long long written = h5::integer_attribute(file, "ranks");
     const auto all = h5::read_all<long long>(file, "mesh");
-    const auto now = row_of(mesh_);
+    const auto now = row_of(mesh);
     const std::string error = mismatch(all, now);
     if (!error.empty()) throw InputError(path + ": " + error);
     data.moved_nodes = all[3] != now[3];
     const long long* mine = &all[signature_length * std::min<long long>(rank, written - 1)];
-    const bool same = written == comm_->getSize() && std::equal(now.begin() + 4, now.end(), mine + 4);
+    const bool same = written == comm.getSize() && std::equal(now.begin() + 4, now.end(), mine + 4);
     // either all ranks read their own part, or all read everything
     const bool same_partition = agreed_message(mpi, same ? "" : "no").empty();
     data.ranks = same_partition ? 0 : static_cast<int>(written);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Teuchos_Comm.hpp>
-#include <Teuchos_RCP.hpp>
 
 #include <map>
 #include <string>
@@ -34,38 +33,22 @@ struct MeshSignature {
 /// Collective.
 MeshSignature signature_of(const Mesh& mesh);
 
-/// One HDF5 file with the committed state of every rank, bit for bit, under a seal (see seal.hpp).
-/// docs/output_format.md has the layout.
-class CheckpointWriter {
- public:
-  CheckpointWriter(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh);
-  /// Writes under a temporary name and renames: `path` always holds a complete checkpoint, the old one or the new one.
-  /// Throws RunError on every rank when it cannot be written. Collective.
-  void write(const std::string& path, const CheckpointData& data) const;
+// A checkpoint is one HDF5 file with the committed state of every rank, bit for bit, under a seal (see seal.hpp).
+// docs/output_format.md has the layout. `mesh`: that of the run which writes or reads it.
 
- private:
-  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
-  MeshSignature mesh_;
-};
-
-class CheckpointReader {
- public:
-  CheckpointReader(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh);
-  /// Reads the texts alone, whatever the mesh. InputError on every rank alike when the file is missing, is no
-  /// checkpoint of this format, or is damaged. Collective.
-  std::map<std::string, std::string> texts(const std::string& path) const;
-  /// Reads one of the integer arrays as all ranks wrote it, whatever the mesh. Rank 0 gets it; the others, and all
-  /// where there is none, get an empty one. The file's texts must have been read before. Collective.
-  std::vector<long long> first_integers(const std::string& path, const std::string& name) const;
-  /// Reads everything. Each rank gets back what it wrote or, where the ranks or their partition differ, what all ranks
-  /// wrote. InputError like texts(), and when the file belongs to another mesh. Collective.
-  CheckpointData read(const std::string& path) const;
-
- private:
-  void check_seal(const std::string& path) const;
-
-  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
-  MeshSignature mesh_;
-};
+/// Writes under a temporary name and renames: `path` always holds a complete checkpoint, the old one or the new one.
+/// Throws RunError on every rank when it cannot be written. Collective.
+void write_checkpoint(const Teuchos::Comm<int>& comm, const std::string& path, const MeshSignature& mesh,
+                      const CheckpointData& data);
+/// Reads the texts alone, whatever the mesh. InputError on every rank alike when the file is missing, is no checkpoint
+/// of this format, or is damaged. Collective.
+std::map<std::string, std::string> read_checkpoint_texts(const Teuchos::Comm<int>& comm, const std::string& path);
+/// Reads one of the integer arrays as all ranks wrote it, whatever the mesh. Rank 0 gets it; the others, and all where
+/// there is none, get an empty one. The file's texts must have been read before. Collective.
+std::vector<long long> read_checkpoint_integers(const Teuchos::Comm<int>& comm, const std::string& path,
+                                                const std::string& name);
+/// Reads everything. Each rank gets back what it wrote or, where the ranks or their partition differ, what all ranks
+/// wrote. InputError like read_checkpoint_texts(), and when the file belongs to another mesh. Collective.
+CheckpointData read_checkpoint(const Teuchos::Comm<int>& comm, const std::string& path, const MeshSignature& mesh);
 
 }  // namespace mudline

@@ -33,8 +33,8 @@ CheckpointData example() {
 TEST(CheckpointFile, ReturnsEveryBit) {
   Folder folder;
   const CheckpointData data = example();
-  CheckpointWriter(world(), mesh).write(folder / "c.h5", data);
-  const CheckpointData back = CheckpointReader(world(), mesh).read(folder / "c.h5");
+  write_checkpoint(*world(), folder / "c.h5", mesh, data);
+  const CheckpointData back = read_checkpoint(*world(), folder / "c.h5", mesh);
   ASSERT_EQ(back.arrays.size(), data.arrays.size());
   for (const auto& [name, array] : data.arrays) {
     ASSERT_EQ(back.arrays.at(name).size(), array.size()) << name;
@@ -46,27 +46,26 @@ TEST(CheckpointFile, ReturnsEveryBit) {
   EXPECT_EQ(back.texts, data.texts);
   EXPECT_EQ(back.ranks, 0);
   EXPECT_FALSE(back.moved_nodes);
-  EXPECT_EQ(CheckpointReader(world(), MeshSignature{}).texts(folder / "c.h5"), data.texts);
+  EXPECT_EQ(read_checkpoint_texts(*world(), folder / "c.h5"), data.texts);
 }
 
 TEST(CheckpointFile, ReplacesTheOldOneAndLeavesNoTemporary) {
   Folder folder;
   CheckpointData data = example();
-  const CheckpointWriter writer(world(), mesh);
-  writer.write(folder / "c.h5", data);
+  write_checkpoint(*world(), folder / "c.h5", mesh, data);
   data.scalars["time"] = 2.0;
-  writer.write(folder / "c.h5", data);
-  EXPECT_EQ(CheckpointReader(world(), mesh).read(folder / "c.h5").scalars.at("time"), 2.0);
+  write_checkpoint(*world(), folder / "c.h5", mesh, data);
+  EXPECT_EQ(read_checkpoint(*world(), folder / "c.h5", mesh).scalars.at("time"), 2.0);
   EXPECT_FALSE(std::filesystem::exists(folder / "c.h5.part"));
-  EXPECT_THROW(writer.write(folder / "missing/c.h5", data), RunError);
+  EXPECT_THROW(write_checkpoint(*world(), folder / "missing/c.h5", mesh, data), RunError);
 }
 
 TEST(CheckpointFile, SaysWhyItCannotBeUsed) {
   Folder folder;
   const std::string path = folder / "c.h5";
-  CheckpointWriter(world(), mesh).write(path, example());
+  write_checkpoint(*world(), path, mesh, example());
   const auto refusal = [&](const MeshSignature& other, const std::string& file) {
-    return message_of<InputError>([&] { CheckpointReader(world(), other).read(file); });
+    return message_of<InputError>([&] { read_checkpoint(*world(), file, other); });
   };
   EXPECT_EQ(refusal(mesh, folder / "none.h5"), (folder / "none.h5") + ": there is no such checkpoint");
   MeshSignature finer = mesh;
@@ -87,11 +86,11 @@ TEST(CheckpointFile, SaysWhyItCannotBeUsed) {
 TEST(CheckpointFile, AnotherPartitionGetsThePartsOfAllRanks) {
   Folder folder;
   const CheckpointData data = example();
-  CheckpointWriter(world(), mesh).write(folder / "c.h5", data);
+  write_checkpoint(*world(), folder / "c.h5", mesh, data);
   MeshSignature other = mesh;
   other.numbering = 78;
   other.coordinates = 5;
-  const CheckpointData back = CheckpointReader(world(), other).read(folder / "c.h5");
+  const CheckpointData back = read_checkpoint(*world(), folder / "c.h5", other);
   EXPECT_EQ(back.ranks, 1);
   EXPECT_TRUE(back.moved_nodes);
   EXPECT_EQ(back.integers, data.integers);
@@ -99,7 +98,7 @@ TEST(CheckpointFile, AnotherPartitionGetsThePartsOfAllRanks) {
 
 TEST(CheckpointFile, EveryFlippedBitIsFound) {
   Folder folder;
-  CheckpointWriter(world(), mesh).write(folder / "c.h5", example());
+  write_checkpoint(*world(), folder / "c.h5", mesh, example());
   const std::string good = content(folder / "c.h5");
   ASSERT_GT(good.size(), 100000u);
   for (std::size_t k = 0; k < 500; ++k) {
@@ -107,10 +106,10 @@ TEST(CheckpointFile, EveryFlippedBitIsFound) {
     const std::size_t byte = k < 250 ? k : (k * 7919 * 131) % good.size();
     bad[byte] = static_cast<char>(bad[byte] ^ (1 << k % 8));
     std::ofstream(folder / "bad.h5", std::ios::binary) << bad;
-    EXPECT_THROW(CheckpointReader(world(), mesh).texts(folder / "bad.h5"), InputError) << byte;
+    EXPECT_THROW(read_checkpoint_texts(*world(), folder / "bad.h5"), InputError) << byte;
   }
   std::ofstream(folder / "short.h5", std::ios::binary) << good.substr(0, good.size() - 1);
-  EXPECT_NE(message_of<InputError>([&] { CheckpointReader(world(), mesh).read(folder / "short.h5"); }).find("damaged"),
+  EXPECT_NE(message_of<InputError>([&] { read_checkpoint(*world(), folder / "short.h5", mesh); }).find("damaged"),
             std::string::npos);
 }
 

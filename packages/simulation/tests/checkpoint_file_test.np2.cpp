@@ -20,8 +20,8 @@ TEST(CheckpointFile, EachRankGetsItsOwnBack) {
   data.integers["active"] = {rank, -rank};
   data.scalars["time"] = 0.25;
   data.texts["stage"] = "push";
-  CheckpointWriter(comm, mesh).write(folder / "c.h5", data);
-  const CheckpointData back = CheckpointReader(comm, mesh).read(folder / "c.h5");
+  write_checkpoint(*comm, folder / "c.h5", mesh, data);
+  const CheckpointData back = read_checkpoint(*comm, folder / "c.h5", mesh);
   EXPECT_EQ(back.arrays, data.arrays);
   EXPECT_EQ(back.integers, data.integers);
   EXPECT_EQ(back.scalars, data.scalars);
@@ -30,7 +30,7 @@ TEST(CheckpointFile, EachRankGetsItsOwnBack) {
   // Both ranks get everything when one of them has another partition.
   MeshSignature other = mesh;
   if (rank == 1) other.owned_nodes = 6;
-  const CheckpointData all = CheckpointReader(comm, other).read(folder / "c.h5");
+  const CheckpointData all = read_checkpoint(*comm, folder / "c.h5", other);
   EXPECT_EQ(all.ranks, 2);
   EXPECT_EQ(all.arrays.at("stress"), (std::vector<double>{1, 2, 3, 4, 5}));
   EXPECT_EQ(all.integers.at("active"), (std::vector<long long>{0, 0, 1, -1}));
@@ -43,9 +43,9 @@ TEST(CheckpointFile, IsReadOnAnotherNumberOfRanks) {
   CheckpointData data;
   data.arrays["stress"] = {1, 2, 3};
   const auto alone = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
-  if (comm->getRank() == 0) CheckpointWriter(alone, mesh).write(folder / "one.h5", data);
+  if (comm->getRank() == 0) write_checkpoint(*alone, folder / "one.h5", mesh, data);
   comm->barrier();
-  const CheckpointData back = CheckpointReader(comm, mesh).read(folder / "one.h5");
+  const CheckpointData back = read_checkpoint(*comm, folder / "one.h5", mesh);
   EXPECT_EQ(back.ranks, 1);
   EXPECT_EQ(back.arrays, data.arrays);
 }
@@ -55,7 +55,7 @@ TEST(CheckpointFile, RefusesNamesThatDifferBetweenRanks) {
   const auto comm = world();
   CheckpointData data;
   data.arrays[comm->getRank() == 0 ? "a" : "b"] = {1.0};
-  EXPECT_THROW(CheckpointWriter(comm, {}).write(folder / "c.h5", data), std::logic_error);
+  EXPECT_THROW(write_checkpoint(*comm, folder / "c.h5", {}, data), std::logic_error);
 }
 
 }  // namespace
