@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "ale/axial_section.hpp"
 #include "ale/conservation.hpp"
 #include "ale/point_rules.hpp"
+#include "algebra/over_ranks.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/element_map.hpp"
 #include "discretisation/mesh_topology.hpp"
@@ -45,10 +46,9 @@ AxialTransfer::AxialTransfer(const Side& from, const Side& to)
   measure_fit();
   agree(comm, [&] {
     if (fit_.in_sides <= most_sides) return;
-    char text[160];
-    std::snprintf(text, sizeof text, "; %.0f of its %.0f points do", fit_.outside, fit_.points);
     throw InputError("the mesh reaches beyond the soil of the result at " + place_text(fit_.where, 3) +
-                     ", by more than a side of the result's cells" + text);
+                     ", by more than a side of the result's cells" + told(fit_.outside, "; %.0f of its ") +
+                     told(fit_.points, "%.0f points do"));
   });
   std::vector<std::pair<int, MeshPlace>> places;  // of this rank's nodes
   std::vector<char> done(mesh_.num_nodes(), 0);
@@ -136,8 +136,7 @@ void AxialTransfer::measure_fit() {
   fit_.outside = mesh_.sum(outside);
   fit_.in_sides = mesh_.largest(in_sides);
   const Comm& comm = *to_.soil.space->mesh().comm();
-  const bool mine = in_sides == fit_.in_sides;
-  const int first = static_cast<int>(-mesh_.largest(mine ? -comm.getRank() : -comm.getSize()));
+  const int first = first_rank(comm, in_sides == fit_.in_sides);
   for (int d = 0; d < 3; ++d) fit_.where[d] = mesh_.sum(comm.getRank() == first ? where[d] : 0.0);
   fit_.turn = soil_volume(mesh_, to_.soil, x_) / soil_volume(old_mesh_, from_.soil, x_old_);
 }

@@ -1,12 +1,11 @@
 #include "ale/ghosted_mesh.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <iterator>
 #include <unordered_map>
 
 #include "ale/neighbourhood.hpp"
+#include "algebra/over_ranks.hpp"
 #include "algebra/raw_communicator.hpp"
 #include "algebra/tpetra_compat.hpp"
 #include "discretisation/mesh_topology.hpp"
@@ -258,11 +257,7 @@ double GhostedMesh::sum(long double mine) const {
   return static_cast<double>(all);
 }
 
-double GhostedMesh::largest(double mine) const {
-  double all = mine;
-  Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MAX, 1, &mine, &all);
-  return all;
-}
+double GhostedMesh::largest(double mine) const { return max_over_ranks(*mesh_.comm(), mine); }
 
 Positions GhostedMesh::gather(const ConstCoordinateView& x) const {
   Positions result(num_nodes(), Point{});

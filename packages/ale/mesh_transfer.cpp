@@ -8,6 +8,7 @@
 #include "ale/conservation.hpp"
 #include "ale/point_rules.hpp"
 #include "ale/surface_transfer.hpp"
+#include "algebra/over_ranks.hpp"
 #include "discretisation/agree.hpp"
 #include "framework/surface_points.hpp"
 
@@ -216,12 +217,12 @@ std::string MeshTransfer::copy_without_places(const StateStore& from, StateStore
     if (!is_sum && info.on != ArrayInfo::On::model) continue;
     const PointView &old = from.committed().arrays[from.find(info.name)], &now = to.committed().arrays[handle];
     if (old.extent(0) != now.extent(0) || old.extent(1) != now.extent(1)) return info.name;
-    std::vector<double> values(old.data(), old.data() + old.size()), sums(values);
+    std::vector<double> values(old.data(), old.data() + old.size());
     if (is_sum) {
-      Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(values.size()), values.data(), sums.data());
-      if (comm.getRank() > 0) std::fill(sums.begin(), sums.end(), 0.0);
+      values = sum_over_ranks(comm, values);
+      if (comm.getRank() > 0) std::fill(values.begin(), values.end(), 0.0);
     }
-    std::copy(sums.begin(), sums.end(), now.data());
+    std::copy(values.begin(), values.end(), now.data());
   }
   return "";
 }

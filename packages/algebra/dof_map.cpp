@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algebra/over_ranks.hpp"
 #include "algebra/tpetra_compat.hpp"
 
 namespace mudline {
@@ -26,10 +27,8 @@ GhostOwners find_owners(const FieldLayout& field, const RCP<const Comm>& comm) {
       nodes->getRemoteIndexList(Teuchos::ArrayView<const GlobalOrdinal>(field.node_ids.data() + owned.size(), ghosts),
                                 Teuchos::ArrayView<int>(owners.rank.data(), ghosts),
                                 Teuchos::ArrayView<LocalOrdinal>(owners.index.data(), ghosts));
-  const int missing_here = ghosts > 0 && status == Tpetra::IDNotPresent ? 1 : 0;
-  int missing = 0;
-  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, missing_here, Teuchos::outArg(missing));
-  if (missing != 0) throw std::logic_error("field '" + field.name + "' has a shared node that no rank owns");
+  if (on_any_rank(*comm, ghosts > 0 && status == Tpetra::IDNotPresent))
+    throw std::logic_error("field '" + field.name + "' has a shared node that no rank owns");
   return owners;
 }
 

@@ -1,20 +1,21 @@
 #include "algebra/node_ordering.hpp"
 
 #include <metis.h>
-#include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
+#include "algebra/over_ranks.hpp"
+
 namespace mudline {
 
 std::vector<GlobalOrdinal> nodes_of_rows(const DofMap& dofs) {
-  GlobalOrdinal here = 0, most = 0;
+  GlobalOrdinal here = 0;
   for (int f = 0; f < dofs.num_fields(); ++f)
     if (!dofs.field(f).apart)
       for (const GlobalOrdinal node : dofs.field(f).node_ids) here = std::max(here, node + 1);
-  Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(most));
+  const GlobalOrdinal most = max_over_ranks(*dofs.comm(), here);
   std::vector<GlobalOrdinal> nodes(dofs.num_owned_dofs());
   for (int f = 0; f < dofs.num_fields(); ++f) {
     const FieldLayout& field = dofs.field(f);

@@ -1,11 +1,11 @@
 #include "checks/supports.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "integrator/overlap.hpp"
 #include "tensor/vec.hpp"
 
@@ -72,7 +72,7 @@ Supports::Supports(Model& model, const MeshParts& parts) : model_(model), mesh_p
 void Supports::find_parts() {
   const Mesh& mesh = model_.mesh();
   const std::size_t count = mesh_parts_.places.size();
-  std::vector<double> here(6 * count, -1e300), box(here);  // of each part: minus the lowest and the highest coordinates
+  std::vector<double> here(6 * count, -1e300);  // of each part: minus the lowest and the highest coordinates
   for (int node = 0; node < mesh.num_nodes(); ++node) {
     const Point x = mesh.place(node);
     double* mine = &here[6 * mesh_parts_.of_node[node]];
@@ -81,7 +81,7 @@ void Supports::find_parts() {
       mine[3 + i] = std::max(mine[3 + i], x[i]);
     }
   }
-  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, static_cast<int>(here.size()), here.data(), box.data());
+  const std::vector<double> box = max_over_ranks(*mesh.comm(), here);
   for (std::size_t part = 0; part < count; ++part) {
     const double* range = &box[6 * part];
     Mover mover;

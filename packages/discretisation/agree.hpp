@@ -7,15 +7,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "algebra/over_ranks.hpp"
 #include "core/errors.hpp"
 
 namespace mudline {
 
 /// Returns on every rank the text of the lowest rank that has one; "" where none has. Collective.
 inline std::string broadcast(const Teuchos::Comm<int>& comm, std::string text) {
-  const int mine = text.empty() ? comm.getSize() : comm.getRank();
-  int first = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &first);
+  const int first = first_rank(comm, !text.empty());
   if (first == comm.getSize()) return "";
   int length = static_cast<int>(text.size());
   Teuchos::broadcast(comm, first, 1, &length);
@@ -31,19 +30,18 @@ template <class Action>
 void agree(const Teuchos::Comm<int>& comm, Action&& action) {
   std::string message;
   std::exception_ptr other;  // a programming error or exhausted memory; the rank that threw it rethrows its own type
-  int failed = comm.getSize();
+  bool failed = false;
   try {
     action();
   } catch (const InputError& error) {
     message = error.what();
-    failed = comm.getRank();
+    failed = true;
   } catch (const std::exception& error) {
     message = error.what();
     other = std::current_exception();
-    failed = comm.getRank();
+    failed = true;
   }
-  int first = failed;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &failed, &first);
+  const int first = first_rank(comm, failed);
   if (first == comm.getSize()) return;
 
   int header[2] = {static_cast<int>(message.size()), other ? 1 : 0};

@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include "algebra/over_ranks.hpp"
 #include "discretisation/element_map.hpp"
 
 namespace mudline {
@@ -9,7 +10,7 @@ namespace mudline {
 MeshQuality mesh_quality(const Mesh& mesh, const Kokkos::View<const double**, Kokkos::LayoutRight>& x) {
   MeshQuality result;
   result.lowest = 1e300;
-  long long local[2] = {0, 0}, total[2];
+  std::vector<long long> local(2, 0);  // poor, folded
   for (const ElementBlock& block : mesh.blocks())
     for (int e = 0; e < block.num_elements; ++e) {
       const ElementMap map(block.shape, [&](int a) { return &x(block.nodes(e, a), 0); });
@@ -22,12 +23,10 @@ MeshQuality mesh_quality(const Mesh& mesh, const Kokkos::View<const double**, Ko
     }
   const auto& comm = *mesh.comm();
   const double own = result.lowest;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &own, &result.lowest);
-  const int candidate = own == result.lowest ? comm.getRank() : comm.getSize() - 1;
-  int worst = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &candidate, &worst);
+  result.lowest = min_over_ranks(comm, own);
+  const int worst = first_rank(comm, own == result.lowest || comm.getRank() == comm.getSize() - 1);
   Teuchos::broadcast(comm, worst, 3, result.place.data());
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, local, total);
+  const std::vector<long long> total = sum_over_ranks(comm, local);
   result.poor = total[0];
   result.folded = total[1];
   return result;

@@ -1,28 +1,19 @@
 #include "discretisation/mesh_topology.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
-#include <cstdio>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
+#include "algebra/over_ranks.hpp"
+#include "algebra/raw_communicator.hpp"
 #include "algebra/types.hpp"
+#include "core/told.hpp"
 #include "discretisation/disjoint_sets.hpp"
 #include "discretisation/side_table.hpp"
 
 namespace mudline {
 
 namespace {
-
-template <class T>
-std::vector<T> reduced(const Mesh& mesh, Teuchos::EReductionType how, const std::vector<T>& local) {
-  std::vector<T> result(local.size());
-  if (!local.empty())
-    Teuchos::reduceAll(*mesh.comm(), how, static_cast<int>(local.size()), local.data(), result.data());
-  return result;
-}
 
 /// For each local node, the lowest global number of a node in its connected part of the whole mesh. Ranks exchange the
 /// values at shared nodes until nothing changes.
@@ -44,14 +35,14 @@ std::vector<long long> leaders(const Mesh& mesh) {
   Numbers here(all), whole(owned);
   std::vector<long long> found = ids;
   for (;;) {
-    std::vector<int> changed{0};
+    bool changed = false;
     for (std::size_t node = 0; node < ids.size(); ++node) {
       long long& leader = lowest[piece[node]];
       if (found[node] >= leader) continue;
       leader = found[node];
-      changed[0] = 1;
+      changed = true;
     }
-    if (reduced(mesh, Teuchos::REDUCE_MAX, changed)[0] == 0) break;
+    if (!on_any_rank(*mesh.comm(), changed)) break;
     {
       const auto values = here.getLocalViewHost(Tpetra::Access::OverwriteAll);
       // ABSMAX finds a maximum: the lowest number is the farthest from the end
@@ -66,18 +57,6 @@ std::vector<long long> leaders(const Mesh& mesh) {
   }
   for (std::size_t node = 0; node < ids.size(); ++node) found[node] = lowest[piece[node]];
   return found;
-}
-
-/// All-gather: the values of all ranks in rank order, on every rank.
-template <class T>
-std::vector<T> joined(const Mesh& mesh, const std::vector<T>& own) {
-  std::vector<int> counts(mesh.comm()->getSize(), 0);
-  const int rank = mesh.comm()->getRank();
-  counts[rank] = static_cast<int>(own.size());
-  counts = reduced(mesh, Teuchos::REDUCE_SUM, counts);
-  std::vector<T> all(std::accumulate(counts.begin(), counts.end(), 0), T(0));
-  std::copy(own.begin(), own.end(), all.begin() + std::accumulate(counts.begin(), counts.begin() + rank, 0));
-  return reduced(mesh, Teuchos::REDUCE_SUM, all);
 }
 
 /// The sides of a set on all ranks, in a common order.
@@ -108,7 +87,7 @@ SetSides all_sides(const Mesh& mesh, const std::string& set) {
         middle[i] += mesh.coordinates()(block.nodes(side.element, local[c]), i) / corners;
     own.centres.insert(own.centres.end(), middle, middle + 3);
   }
-  return {joined(mesh, own.keys), joined(mesh, own.centres)};
+  return {all_gather(*mesh.comm(), own.keys), all_gather(*mesh.comm(), own.centres)};
 }
 
 }  // namespace
@@ -185,8 +164,8 @@ MeshParts mesh_parts(const Mesh& mesh) {
     const Point place = mesh.place(node);
     places.insert(places.end(), place.begin(), place.end());
   }
-  firsts = joined(mesh, firsts);
-  places = joined(mesh, places);
+  firsts = all_gather(*mesh.comm(), firsts);
+  places = all_gather(*mesh.comm(), places);
   std::map<long long, int> number;
   for (long long first : firsts) number[first] = 0;
   MeshParts result;
@@ -199,7 +178,7 @@ MeshParts mesh_parts(const Mesh& mesh) {
   for (const std::string& name : mesh.set_names()) {
     std::vector<int> touched(result.places.size(), 0);
     for (int node : mesh.nodes_of_set(name)) touched[result.of_node[node]] = 1;
-    touched = reduced(mesh, Teuchos::REDUCE_MAX, touched);
+    touched = max_over_ranks(*mesh.comm(), touched);
     auto& parts = result.of_set[name];
     for (std::size_t part = 0; part < touched.size(); ++part)
       if (touched[part]) parts.push_back(static_cast<int>(part));
@@ -224,7 +203,7 @@ void require_boundary(const Mesh& mesh, const Section& section, const std::strin
         const auto found = row.find(key_of(mesh, block, e, s));
         if (found != row.end()) ++elements[found->second];
       }
-  elements = reduced(mesh, Teuchos::REDUCE_SUM, elements);
+  elements = sum_over_ranks(*mesh.comm(), elements);
   for (std::size_t k = 0; k < count; ++k)
     if (elements[k] > 1)
       section.fail(
@@ -245,12 +224,7 @@ Point middle_of(const GlobalMesh& mesh, const ElementSide& side) {
 }
 
 std::string place_text(const Point& point, int dimension) {
-  char text[120];
-  if (dimension == 2)
-    std::snprintf(text, sizeof text, "(%.6g, %.6g)", point[0], point[1]);
-  else
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", point[0], point[1], point[2]);
-  return text;
+  return told(point[0], "(%.6g, ") + told(point[1], "%.6g") + (dimension == 2 ? "" : told(point[2], ", %.6g")) + ")";
 }
 
 }  // namespace mudline

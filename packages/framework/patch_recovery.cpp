@@ -1,11 +1,10 @@
 #include "framework/patch_recovery.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "algebra/over_ranks.hpp"
 #include "framework/normal_equations.hpp"
 
 namespace mudline {
@@ -121,14 +120,14 @@ void PatchRecovery::fit() {
   sum_shared(moments_, width_);
   polynomials_.assign(node_.size() * terms_ * columns_, 0.0);
   std::vector<int> resolved(node_.size(), 0);
-  int mine[2] = {}, most[2];  // terms resolved, samples
+  std::vector<int> mine(2, 0);  // terms resolved, samples
   for (std::size_t v = 0; v < node_.size(); ++v) {
     const double* moments = &moments_[v * width_];
     if (moments[0] > 0) resolved[v] = solve(moments, polynomial(static_cast<int>(v)));
     mine[0] = std::max(mine[0], resolved[v]);
     mine[1] = std::max(mine[1], static_cast<int>(moments[0]));
   }
-  Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MAX, 2, mine, most);
+  const std::vector<int> most = max_over_ranks(*mesh_.comm(), mine);
   // With fewer samples than twice the number of terms they lie on one side of the vertex, or the fit follows noise. A
   // mesh one element thick has no more samples, hence the minimum.
   std::vector<char> fitted;

@@ -1,10 +1,9 @@
 #include "physics/error_estimate.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "discretisation/cell_map.hpp"
 #include "framework/coordinates.hpp"
 #include "framework/normal_equations.hpp"
@@ -358,10 +357,9 @@ ErrorEstimate ErrorEstimator::estimate(const State& state, const NodalView& exce
   for (std::size_t k = 0; k < tables.size(); ++k)
     measure_block(tables[k], state, *stress[region_of[k]], pressure[region_of[k]].get(), to, energy, local);
 
-  const double mine[] = {local.error, local.change, local.whole,   local.flow_error,
-                         local.flow,  local.power,  local.elements};
-  double sum[7];
-  Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_SUM, 7, mine, sum);
+  const std::vector<double> sum =
+      sum_over_ranks(*mesh_.comm(), std::vector<double>{local.error, local.change, local.whole, local.flow_error,
+                                                        local.flow, local.power, local.elements});
   // a change at the level of the stress's rounding counts as zero
   const double whole = sum[1] > 1e-16 * sum[2] ? sum[0] + sum[1] : 0.0;
   if (whole > 0) to.stress_share = std::sqrt(sum[0] / whole);

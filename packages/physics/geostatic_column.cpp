@@ -1,11 +1,11 @@
 #include "physics/geostatic_column.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+
+#include "algebra/over_ranks.hpp"
 
 namespace mudline {
 
@@ -32,7 +32,7 @@ std::vector<std::pair<const SoilMaterial*, std::array<double, 2>>> slices(const 
 std::map<std::string, std::array<double, 2>> heights(const Soil& soil) {
   const Mesh& mesh = soil.space->mesh();
   const std::vector<std::string>& regions = mesh.regions();
-  std::vector<double> here(2 * regions.size(), -1e300), everywhere(here);  // minus the lowest, the highest
+  std::vector<double> here(2 * regions.size(), -1e300);  // minus the lowest, the highest
   for (const ElementBlock& block : mesh.blocks()) {
     const std::size_t k = std::find(regions.begin(), regions.end(), block.region) - regions.begin();
     for (int e = 0; e < block.num_elements; ++e)
@@ -42,7 +42,7 @@ std::map<std::string, std::array<double, 2>> heights(const Soil& soil) {
         here[2 * k + 1] = std::max(here[2 * k + 1], height);
       }
   }
-  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, static_cast<int>(here.size()), here.data(), everywhere.data());
+  const std::vector<double> everywhere = max_over_ranks(*mesh.comm(), here);
   std::map<std::string, std::array<double, 2>> result;
   for (std::size_t k = 0; k < regions.size(); ++k) result[regions[k]] = {-everywhere[2 * k], everywhere[2 * k + 1]};
   return result;

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
+#include "algebra/over_ranks.hpp"
 #include "core/pi.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/earth_pressure.hpp"
@@ -136,12 +137,9 @@ std::string beyond_strength(const SoilMaterial& material, double k0, double vert
   if (!allowed || vertical <= 0 ||
       (k0 >= allowed->active / vertical - rounding && k0 <= allowed->passive / vertical * (1 + rounding)))
     return "";
-  char range[160];
-  std::snprintf(range, sizeof range, "K0 = %.4g is outside [%.4g, %.4g]", k0, std::max(0.0, allowed->active / vertical),
-                allowed->passive / vertical);
-  char under[60];
-  std::snprintf(under, sizeof under, "' under sigma'_v = %.4g Pa", vertical);
-  return std::string(range) + ", what the strength of '" + material.law + under + " allows between active and passive";
+  return told(k0, "K0 = %.4g is outside [") + told(std::max(0.0, allowed->active / vertical), "%.4g, ") +
+         told(allowed->passive / vertical, "%.4g]") + ", what the strength of '" + material.law +
+         told(vertical, "' under sigma'_v = %.4g Pa") + " allows between active and passive";
 }
 
 /// Writes the start of a point into the arrays of its block, and starts its law; returns "" or the law's problem.
@@ -279,10 +277,7 @@ std::string InitialState::set_stress(const Soil& soil, const std::optional<Geost
 }
 
 void InitialState::check_strength(const Soil& soil, bool found, const Section& section) const {
-  const int here = found;
-  int anywhere = 0;
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
-  if (anywhere == 0)
+  if (!on_any_rank(*soil.space->dofs()->comm(), found))
     section.fail("no soil of this model has a law with an undrained strength",
                  has_strength_ ? "undrained strength" : "undrained strength ratio");
 }

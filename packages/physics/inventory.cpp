@@ -1,9 +1,8 @@
 #include "physics/inventory.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
 
@@ -11,7 +10,7 @@ namespace mudline {
 
 Inventory take_inventory(const Soil& soil, const State& state) {
   constexpr int shared = 8;  // momentum (3) and the other members of Inventory in their order; then grains by material
-  std::vector<double> local(shared + soil.materials.size(), 0.0), total(local);
+  std::vector<double> local(shared + soil.materials.size(), 0.0);
   const LoopLevel level = level_of(state);
   for (const SoilBlock& b : soil.blocks) {
     const ByMaterial<Mixture> mixture_of = mixtures_of(soil, b, state);
@@ -59,8 +58,7 @@ Inventory take_inventory(const Soil& soil, const State& state) {
       }
     });
   }
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(),
-                     total.data());
+  const std::vector<double> total = sum_over_ranks(*soil.space->dofs()->comm(), local);
   return {{total[0], total[1], total[2]},        total[3], total[4], total[5], total[6],
           {total.begin() + shared, total.end()}, total[7]};
 }

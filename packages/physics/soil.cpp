@@ -1,12 +1,11 @@
 #include "physics/soil.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 
+#include "algebra/over_ranks.hpp"
 #include "core/guarded.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
@@ -313,7 +312,7 @@ std::vector<double> Soil::layer_shares(const SoilBlock& b, const State& state, i
 void Soil::place_materials(const Section& section) {
   const auto& x = space->mesh().coordinates();
   std::string problem;
-  std::vector<int> here(materials.size(), 0), everywhere(here);
+  std::vector<int> here(materials.size(), 0);
   for (SoilBlock& b : blocks) {
     b.start = PointView("material", b.elements * b.points, 1);
     for (int row = 0; row < b.elements * b.points; ++row) {
@@ -332,7 +331,7 @@ void Soil::place_materials(const Section& section) {
   agree(comm, [&] {
     if (!problem.empty()) section.fail(problem);
   });
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(here.size()), here.data(), everywhere.data());
+  const std::vector<int> everywhere = sum_over_ranks(comm, here);
   for (std::size_t k = 0; k < materials.size(); ++k)
     if (everywhere[k] == 0 && materials[k]->has_top)
       section.fail("no soil is made of '" + materials[k]->name +
@@ -388,10 +387,6 @@ void check_layers(const std::vector<std::shared_ptr<const SoilMaterial>>& layers
                    two.name + "/fluid");
     }
 }
-
-}  // namespace
-
-namespace {
 
 /// Terms of the fit of the volume strain in the cells of a block; 0: no fit. There is none where a cell has no more
 /// than two points per term: so few points do not lock. Nor is there one where a law joins volume and shear: where

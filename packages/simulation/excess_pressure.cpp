@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -36,10 +37,8 @@ ExcessPressure::AtPlace ExcessPressure::highest() const {
       own = {excess(dof), place_of(model_.store().committed().coordinates, node)};
   const Comm& comm = *mesh.comm();
   const double largest = max_over_ranks(comm, std::abs(own.pressure));
-  const bool here = std::abs(own.pressure) == largest;
   // the first rank tells where several have it
-  const int first = static_cast<int>(min_over_ranks(comm, here ? comm.getRank() : comm.getSize()));
-  if (comm.getRank() != first) own = {};
+  if (comm.getRank() != first_rank(comm, std::abs(own.pressure) == largest)) own = {};
   const std::vector<double> sum =
       sum_over_ranks(comm, std::vector<double>{own.pressure, own.place[0], own.place[1], own.place[2]});
   return {sum[0], {sum[1], sum[2], sum[3]}};

@@ -1,10 +1,9 @@
 #include "simulation/probes.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "integrator/overlap.hpp"
 #include "tensor/vec.hpp"
 
@@ -59,17 +58,14 @@ Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
     }
     // only the owner of the nearest node keeps the dof, so that the others add nothing to the sum over ranks
     const double nearest = min_over_ranks(comm, best);
-    const int mine = best == nearest ? comm.getRank() : comm.getSize();
-    int owner = 0;
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &owner);
+    const int owner = first_rank(comm, best == nearest);
     probe.dof.push_back(owner == comm.getRank() ? dof : -1);
     if (space.field(f).name != "pore pressure") continue;
-    long long mine_is = -1, nearest_node = -1;
+    long long mine_is = -1;
     if (owner == comm.getRank())
       for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node)
         if (space.node_dof(f)(node) == dof) mine_is = model_.mesh().node_ids()[node];
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 1, &mine_is, &nearest_node);
-    probe.around = elements_at(nearest_node);
+    probe.around = elements_at(max_over_ranks(comm, mine_is));
   }
   return probe;
 }
@@ -144,10 +140,7 @@ MeshPlace Probes::find(const Point& at, const Positions& x) const {
     least = mesh_->smallest(mine);
   }
   const Comm& comm = *model_.mesh().comm();
-  const int finds = mine == least ? comm.getRank() : comm.getSize();
-  int first = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &finds, &first);
-  return first == comm.getRank() ? place : MeshPlace{};
+  return first_rank(comm, mine == least) == comm.getRank() ? place : MeshPlace{};
 }
 
 void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,

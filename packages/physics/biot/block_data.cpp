@@ -1,10 +1,9 @@
 #include "physics/biot/block_data.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "discretisation/element_map.hpp"
 #include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
@@ -33,13 +32,9 @@ std::vector<std::vector<GlobalOrdinal>> node_parents(const Soil& soil) {
   return parents;
 }
 
-/// This rank's sums for volume means: volume, constrained modulus, drained modulus, density, 1/Q, kappa.
-struct Means {
-  double sum[6] = {0, 0, 0, 0, 0, 0};
-};
-
+/// `sums`: this rank's, for volume means: volume, constrained modulus, drained modulus, density, 1/Q, kappa.
 template <class Loop>
-void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const Loop& loop, Means& means,
+void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const Loop& loop, std::vector<double>& sums,
                CrsMatrix* mass, CrsMatrix* laplacian) {
   constexpr int NP = Loop::NS;
   constexpr double sideways =
@@ -65,7 +60,7 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
             }
           const double values[6] = {
               1, m.bulk + 4.0 / 3 * m.shear, m.bulk + sideways * m.shear, points.density(row), storage, mobility};
-          for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];
+          for (int i = 0; i < 6; ++i) sums[i] += s.dv * values[i];
           const double compliance = values[1] > 0 ? 1 / values[1] : 0.0;
           for (int c = 0; c < NP; ++c)
             for (int d = 0; d < NP; ++d) {
@@ -142,23 +137,21 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
     for (int i = dofs.owned_begin(soil.pressure); i < dofs.owned_end(soil.pressure); ++i)
       data.pressure_constrained.push_back(constrained(i));
   }
-  Means means;
+  std::vector<double> sums(6, 0.0);
   for (const SoilBlock& b : soil.blocks) {
     const LoopLevel level = loop_level(view, {view.time_end, view.x_end, 0.0}, b);
     with_element<1>(soil.geometry, b, [&](auto coordinates, auto shapes) {
       const ElementLoop<decltype(coordinates), decltype(shapes)> loop{b, level};
-      add_block(soil, b, view, loop, means, mass.get(), laplacian.get());
+      add_block(soil, b, view, loop, sums, mass.get(), laplacian.get());
     });
   }
-  Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_MAX, worst_aspect_ratio(soil, view),
-                     Teuchos::outArg(data.aspect_ratio));
-  double total[6];
-  Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_SUM, 6, means.sum, total);
-  for (int i = 1; i < 6; ++i) total[i] /= total[0];
+  data.aspect_ratio = max_over_ranks(*dofs.comm(), worst_aspect_ratio(soil, view));
+  std::vector<double> mean = sum_over_ranks(*dofs.comm(), sums);
+  for (int i = 1; i < 6; ++i) mean[i] /= mean[0];
   if (!mass.is_null()) {
     mass->fillComplete();
     mass->resumeFill();  // a matrix can be scaled only when its fill is complete
-    mass->scale(total[1]);
+    mass->scale(mean[1]);
     mass->fillComplete();
     laplacian->fillComplete();
     data.pressure_mass = mass;
@@ -168,14 +161,14 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
   // integrators here is the sensitivity of the alpha-level displacement.
   const Sensitivity& u = view.sensitivity[soil.displacement];
   const double alpha = soil.blocks.empty() ? 1.0 : soil.any_of(soil.blocks.front()).biot_coefficient;
-  data.constrained_modulus = u.value * total[1];
-  data.drained_modulus = u.value * total[2];
-  data.inertia = view.inertia ? u.acceleration * total[3] : 0.0;
+  data.constrained_modulus = u.value * mean[1];
+  data.drained_modulus = u.value * mean[2];
+  data.inertia = view.inertia ? u.acceleration * mean[3] : 0.0;
   data.coupling_u = u.value * alpha;
   data.coupling_p = u.rate * alpha;
   if (soil.pressure >= 0) {
-    data.storage = view.sensitivity[soil.pressure].rate * total[4];
-    data.conduction = view.sensitivity[soil.pressure].value * total[5];
+    data.storage = view.sensitivity[soil.pressure].rate * mean[4];
+    data.conduction = view.sensitivity[soil.pressure].value * mean[5];
   }
   return data;
 }

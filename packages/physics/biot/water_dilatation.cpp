@@ -1,11 +1,11 @@
 #include "physics/biot/water_dilatation.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
@@ -120,10 +120,9 @@ CoordinateView middle_of(const StepView& view) {
 
 double WaterDilatation::product(const Values& a, const Values& b) const {
   const Mesh& mesh = soil_.space->mesh();
-  double here = 0, all = 0;
+  double here = 0;
   for (int i = 0; i < mesh.num_owned_nodes(); ++i) here += a[i] * b[i];
-  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(all));
-  return all;
+  return sum_over_ranks(*mesh.comm(), here);
 }
 
 WaterDilatation::Values WaterDilatation::project(const std::vector<PointView>& volume, const Values& lumped,
@@ -168,7 +167,7 @@ void WaterDilatation::keep_grains(const StepView& view, const std::vector<PointV
   constexpr double tolerance = 1e-15;  // of the mass
   const int n = static_cast<int>(soil_.materials.size());
   const std::vector<Grains> grains = grains_of(soil_, view);
-  std::vector<double> here(n * (n + 2)), all(here.size());  // changes of mass, masses, derivatives of the changes
+  std::vector<double> here(n * (n + 2));  // changes of mass, masses, derivatives of the changes
   for (int k = 0; k < most; ++k) {
     std::fill(here.begin(), here.end(), 0.0);
     for (const Grains& g : grains) {
@@ -177,8 +176,7 @@ void WaterDilatation::keep_grains(const StepView& view, const std::vector<PointV
       here[n + g.material] += g.mass;
       here[n * (2 + g.own) + g.material] -= g.mass * std::exp(-strain) * shares[g.block](g.row, 0);
     }
-    Teuchos::reduceAll(*soil_.space->mesh().comm(), Teuchos::REDUCE_SUM, static_cast<int>(here.size()), here.data(),
-                       all.data());
+    std::vector<double> all = sum_over_ranks(*soil_.space->mesh().comm(), here);
     double* const change = all.data();
     double* const derivative = change + 2 * n;  // column by column
     bool enough = true;

@@ -1,7 +1,6 @@
 #include "physics/conditions/seepage_face.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
+#include "algebra/over_ranks.hpp"
 #include "discretisation/element_map.hpp"
 #include "framework/side_loop.hpp"
 #include "physics/soil_points.hpp"
@@ -73,10 +72,9 @@ void SeepageFace::jacobian(const StepView& view, Assembler& assembler, double we
 void SeepageFace::histories(const StepView& view, Report& report) {
   const NodalView flows("discharge", space_->dofs()->num_overlap_dofs());
   residual(view, ResidualView(flows));
-  double here = 0, all = 0;
+  double here = 0;
   for (std::size_t i = 0; i < flows.extent(0); ++i) here += flows(i);
-  Teuchos::reduceAll(*space_->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(all));
-  report["discharge/" + Condition::name] = {"m3/s", all};
+  report["discharge/" + Condition::name] = {"m3/s", sum_over_ranks(*space_->dofs()->comm(), here)};
 }
 
 }  // namespace mudline

@@ -1,9 +1,8 @@
 #include "physics/thm/thermo_hydro_mechanical.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <cmath>
 
+#include "algebra/over_ranks.hpp"
 #include "framework/medium.hpp"
 #include "physics/biot/darcy.hpp"
 
@@ -89,7 +88,7 @@ struct WarmGround {
 
   /// Heat above the reference temperature [J]. Collective.
   double content(const State& state) const {
-    double here = 0, everywhere = 0;
+    double here = 0;
     const LoopLevel level = level_of(state);
     for (const SoilBlock& b : soil->blocks) {
       const ByMaterial<WarmSoil> soils = at(b, state);
@@ -110,8 +109,7 @@ struct WarmGround {
                 });
       });
     }
-    Teuchos::reduceAll(*soil->space->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
-    return everywhere;
+    return sum_over_ranks(*soil->space->dofs()->comm(), here);
   }
 };
 
