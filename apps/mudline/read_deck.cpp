@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "commands.hpp"
 #include "core/entry.hpp"
 #include "core/errors.hpp"
+#include "core/text.hpp"
 
 namespace mudline::cli {
 
@@ -21,11 +20,8 @@ std::string read_everywhere(const Comm& comm, const std::string& path) {
   std::string text;
   int length = -1;
   if (comm.getRank() == 0) {
-    std::ifstream file(path, std::ios::binary);
-    if (file && !std::filesystem::is_directory(path)) {
-      std::ostringstream buffer;
-      buffer << file.rdbuf();
-      text = buffer.str();
+    if (std::optional<std::string> content = file_content(path)) {
+      text = std::move(*content);
       length = static_cast<int>(text.size());
     }
   }

@@ -2,28 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "ale/conservation.hpp"
 #include "ale/quality.hpp"
 #include "core/guarded.hpp"
+#include "core/told.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_quality.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "framework/surface_points.hpp"
 
 namespace mudline {
-
-namespace {
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-}  // namespace
 
 void AleParameters::parameters(Parameters& p) {
   p.add("every", every, "-", closed(1, 1000000), "the mesh is moved after every so many steps");
@@ -285,8 +275,8 @@ std::string Ale::lost_mass(const MeshReceipt& receipt) const {
                water = share(receipt.before.water, receipt.after.water);
   if (changed(solid) || changed(receipt.restored_solid))
     return "the remap changes the mass of grains by a share of " +
-           number(changed(solid) ? solid : -receipt.restored_solid);
-  return changed(water) ? "the remap changes the pore water by a share of " + number(water) : "";
+           told(changed(solid) ? solid : -receipt.restored_solid);
+  return changed(water) ? "the remap changes the pore water by a share of " + told(water) : "";
 }
 
 MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) const {
@@ -301,8 +291,8 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   receipt.quality = lowest_quality(mesh_, x_new, &at);
   // A mesh that was already below the limit is accepted unless moving it makes it worse.
   if (receipt.quality < std::min(deck_.lowest_quality, 0.9 * receipt.quality_before)) {
-    receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at " +
-                   place_text(at, mesh_.dimension());
+    receipt.veto =
+        "the moved mesh has a scaled Jacobian of " + told(receipt.quality) + " at " + place_text(at, mesh_.dimension());
     return receipt;
   }
   receipt.largest_motion = largest_motion(x_old, x_new);

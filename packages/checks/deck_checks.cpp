@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "checks/setup.hpp"
 #include "checks/supports.hpp"
 #include "core/entry.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "simulation/filter.hpp"
@@ -34,12 +34,11 @@ void check_contradictions(const Model& model, const Section& deck) {
           if (!mine.given(i)) continue;
           const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
           if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
-            char text[160];
-            std::snprintf(text, sizeof text, ": %s is prescribed as %.6g and as %.6g in stage '",
-                          model.space().field(model.space().dofs()->field_of(i)).name.c_str(), value[i], mine.value(i));
+            const std::string& field = model.space().field(model.space().dofs()->field_of(i)).name;
             second = model.conditions()[c]->name;
-            problem =
-                "contradicts '" + model.conditions()[owner[i]]->name + "' on a shared node" + text + stage->name + "'";
+            problem = "contradicts '" + model.conditions()[owner[i]]->name + "' on a shared node: " + field +
+                      told(value[i], " is prescribed as %.6g") + told(mine.value(i), " and as %.6g") + " in stage '" +
+                      stage->name + "'";
           }
           owner[i] = static_cast<int>(c);
           value[i] = mine.value(i);

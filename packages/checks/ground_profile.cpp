@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <numeric>
@@ -10,6 +9,7 @@
 #include "core/errors.hpp"
 #include "core/run_error.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
 #include "tensor/sym6.hpp"
@@ -183,9 +183,7 @@ std::string GroundProfile::table(int rows) const {
     for (const Shown& one : shown) {
       const auto column = of_column(one.column);
       if (column == columns_.end()) continue;
-      char number[32];
-      std::snprintf(number, sizeof number, "%.4g", one.scale * column->values[row]);
-      text += cell(std::isfinite(column->values[row]) ? number : "-");
+      text += cell(std::isfinite(column->values[row]) ? told(one.scale * column->values[row], "%.4g") : "-");
     }
     text += "  " + printable(materials_[row]) + "\n";
   }

@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -20,6 +19,7 @@
 
 #include "core/confinement.hpp"
 #include "core/errors.hpp"
+#include "core/told.hpp"
 
 namespace mudline {
 
@@ -149,12 +149,6 @@ bool read_all(int from, double limit, std::vector<char>& bytes) {
   }
 }
 
-std::string short_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g s", seconds);
-  return text;
-}
-
 /// Blocks signals during a fork, while the child still has the program's handlers.
 class NoSignals {
  public:
@@ -212,7 +206,7 @@ std::vector<char> attempt(const std::function<std::vector<char>()>& work, const 
   const bool in_time = read_all(ends[0], bounds.limit, bytes);
   ::close(ends[0]);
   const int status = end_of(child, !in_time);
-  if (!in_time) throw ChildLost("had not finished after " + short_text(bounds.limit) + " and was stopped", true);
+  if (!in_time) throw ChildLost("had not finished after " + told(bounds.limit, "%g s") + " and was stopped", true);
   Kind kind{};
   unsigned long long size = 0;
   constexpr std::size_t head = sizeof kind + sizeof size;

@@ -2,11 +2,11 @@
 
 #include <sys/resource.h>
 
-#include <cstdio>
 #include <fstream>
 #include <new>
 
 #include "core/text.hpp"
+#include "core/told.hpp"
 
 namespace mudline {
 
@@ -25,11 +25,7 @@ double gibibytes(const char* file, const std::string& name) {
   return 0;
 }
 
-std::string gibibytes_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g GiB", value);
-  return text;
-}
+std::string gibibytes_text(double value) { return told(value, "%.3g GiB"); }
 
 /// Whether a line of a message reports exhausted memory, in the words of the standard library, Kokkos or others.
 bool tells_of_memory(const std::string& line) {

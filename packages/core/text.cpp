@@ -4,6 +4,9 @@
 #include <cctype>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace mudline {
 
@@ -164,6 +167,13 @@ std::optional<std::vector<std::string>> parse_array(const std::string& text) {
 std::string join_path(const std::string& parent, const std::string& name) {
   if (parent.empty()) return name;
   return name.empty() ? parent : parent + "/" + name;
+}
+
+std::optional<std::string> file_content(const std::string& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, ignored)) return {};
+  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
 std::string csv_cell(const std::string& text) {

@@ -41,6 +41,9 @@ std::string beginning(const std::string& text, std::size_t bytes);
 /// very long message is cut to its beginning and end.
 std::string printable(const std::string& message);
 
+/// The bytes of a file; empty where it cannot be read.
+std::optional<std::string> file_content(const std::string& path);
+
 /// `text` as a cell of a CSV (RFC 4180): quoted where its content would break the line.
 std::string csv_cell(const std::string& text);
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -117,10 +116,7 @@ std::string Scanner::look_through(const std::filesystem::path& file, bool includ
 }
 
 void Scanner::script(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  const std::string text = content.str();
+  const std::string text = file_content(file).value_or("");
   Place at{file, 1};
   const std::set<Reading> outside = std::exchange(readings_, {Reading{}});
   for (std::size_t from = 0; from < text.size(); ++at.line) {

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/errors.hpp"
+#include "core/text.hpp"
 
 namespace mudline {
 
@@ -23,9 +22,9 @@ std::string_view without_plus(std::string_view word) {
 }  // namespace
 
 MshInput::MshInput(const std::string& file) : name_(std::filesystem::path(file).filename().string()) {
-  std::ifstream stream(file, std::ios::binary);
-  bytes_.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  if (!stream) throw InputError("'" + name_ + "' cannot be read");
+  std::optional<std::string> content = file_content(file);
+  if (!content) throw InputError("'" + name_ + "' cannot be read");
+  bytes_ = std::move(*content);
 }
 
 bool MshInput::next_line() {

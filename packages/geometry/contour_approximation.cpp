@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "core/told.hpp"
 #include "geometry/curve_piece.hpp"
 
 namespace mudline {
@@ -101,10 +101,8 @@ std::string contour_fault(const Contour& contour) {
       if (side(p[i], p[i + 1], p[j]) * side(p[i], p[i + 1], p[j + 1]) >= 0 ||
           side(p[j], p[j + 1], p[i]) * side(p[j], p[j + 1], p[i + 1]) >= 0)
         continue;
-      char text[120];
-      std::snprintf(text, sizeof text, "the contour crosses itself near (%.4g, %.4g)", 0.5 * (p[i][0] + p[i + 1][0]),
-                    0.5 * (p[i][1] + p[i + 1][1]));
-      return text;
+      const PlanePoint middle = 0.5 * (p[i] + p[i + 1]);
+      return "the contour crosses itself near (" + told(middle[0], "%.4g, ") + told(middle[1], "%.4g)");
     }
   return "";
 }

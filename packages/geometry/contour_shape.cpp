@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/pi.hpp"
+#include "core/told.hpp"
 #include "discretisation/gmsh_library.hpp"
 #include "geometry/gmsh_curve_shape.hpp"
 #include "geometry/library_shapes.hpp"
@@ -16,11 +17,7 @@ namespace {
 
 constexpr double default_shaft = 10;  // diameters; the contour continues anyway, this is only what pictures show
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string number(double value) { return told(value, "%.6g"); }
 
 }  // namespace
 

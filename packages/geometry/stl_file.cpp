@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "core/errors.hpp"
@@ -74,9 +72,9 @@ SurfaceTriangles ascii(const std::string& text) {
 }  // namespace
 
 SurfaceTriangles read_stl(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream) throw InputError("the file cannot be read");
+  const std::optional<std::string> content = file_content(file);
+  if (!content) throw InputError("the file cannot be read");
+  const std::string& bytes = *content;
   SurfaceTriangles result;
   if (bytes.size() >= head + count_size && bytes.size() == head + count_size + record * binary_count(bytes))
     result = binary(bytes);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/log.hpp"
 #include "core/pi.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "geometry/revolved_surface.hpp"
 #include "geometry/rounded_box.hpp"
 #include "geometry/stl_file.hpp"
@@ -20,12 +20,6 @@ namespace {
 constexpr double smooth_angle = 10;  // [deg] between facets that may still be samples of a smooth surface
 
 Point to_point(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
-}
 
 void check_three(const Section& section, const std::string& entry, const std::vector<double>& values) {
   if (values.size() != 3) section.fail("expected 3 numbers (x, y, z), given " + std::to_string(values.size()), entry);
@@ -130,7 +124,7 @@ void TriangulationShape::check(const Section& section) {
     if (angle > smooth_angle)
       log::warn(section.source("file") + ": " + section.path() + "/file: neighbouring facets are at up to " +
                 std::to_string(std::lround(angle)) + " degrees to each other, and the smoothed surface is up to " +
-                rounded(smooth->largest_bulge()) + " m away from them: above " + number_text(smooth_angle) +
+                told(smooth->largest_bulge(), "%.2g") + " m away from them: above " + number_text(smooth_angle) +
                 " degrees it should have finer facets, and no sharp edges");
     surface_ = smooth;
   } catch (const InputError& error) {

@@ -1,12 +1,12 @@
 #include "materials/guarded_law.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 
 namespace mudline {
 
@@ -114,11 +114,7 @@ std::string increment_text(const double* stress, const double* strain) {
   std::string text;
   for (const double* six : {stress, strain}) {
     text += six == stress ? "effective stress xx yy zz yz xz xy =" : " Pa, strain increment";
-    for (int c = 0; c < 6; ++c) {
-      char number[32];
-      std::snprintf(number, sizeof number, " %.4g", six[c]);
-      text += number;
-    }
+    for (int c = 0; c < 6; ++c) text += told(six[c], " %.4g");
   }
   return text;
 }

@@ -1,9 +1,10 @@
 #include "materials/numbers_of_place.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <stdexcept>
+
+#include "core/told.hpp"
 
 namespace mudline {
 
@@ -34,9 +35,7 @@ std::string NumbersOfPlace::at(const Point& place, double* values) const {
     const NumberOfPlace& number = numbers_[k];
     values[k] = number.function(0, place);
     if (number.range.contains(values[k])) continue;
-    char value[32];
-    std::snprintf(value, sizeof value, "%.6g", values[k]);
-    return "its '" + number.name + "' is " + value + " here; allowed: " + number.range.describe();
+    return "its '" + number.name + "' is " + told(values[k], "%.6g") + " here; allowed: " + number.range.describe();
   }
   return "";
 }

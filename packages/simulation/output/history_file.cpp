@@ -6,7 +6,6 @@
 #include <charconv>
 #include <filesystem>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -52,10 +51,8 @@ void HistoryFile::count(const std::string& text) {
 
 /// Drops the rows after the restart and opens the file behind the last row, on rank 0. Returns what is wrong, or "".
 std::string HistoryFile::truncate(const HistoryRestart& restart) {
-  std::ifstream old(path_, std::ios::binary);
-  std::ostringstream content;
-  if (old) content << old.rdbuf();
-  const std::string text = content.str();
+  const std::optional<std::string> old = file_content(path_);
+  const std::string text = old.value_or("");
   const auto expected = static_cast<std::size_t>(restart.mark.bytes);
   std::string kept = text.substr(0, expected);
   if (kept.size() != expected || fingerprint(kept.data(), kept.size()) != restart.mark.fingerprint) {
