@@ -6,7 +6,7 @@
 #include "core/log.hpp"
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
-#include "simulation/pressed_direction.hpp"
+#include "simulation/pressed_sides.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {

@@ -131,10 +131,6 @@ std::vector<OutputField> layer_fields(const Model& model) {
   return {material, start};
 }
 
-}  // namespace
-
-namespace {
-
 /// The arrays at nodes and on surfaces by node, "<array>/<variable>"; 0 where there is no row. Means over the sides
 /// around a node of their rows that are nearest to it.
 std::vector<OutputField> array_fields(const Model& model) {

@@ -10,7 +10,6 @@
 #include "physics/soil_points.hpp"
 #include "simulation/excess_pressure.hpp"
 #include "simulation/output/collective.hpp"
-#include "simulation/pressed_direction.hpp"
 #include "simulation/pressed_sides.hpp"
 #include "simulation/results/dissipation.hpp"
 #include "tensor/mat.hpp"
