@@ -9,8 +9,8 @@ FaceLocator::FaceLocator(const std::vector<SurfaceFace>& faces, const Positions&
   std::map<int, std::vector<int>> patches;
   for (std::size_t f = 0; f < faces.size(); ++f) patches[faces[f].patch].push_back(static_cast<int>(f));
   for (auto& [patch, numbers] : patches) {
-    std::vector<SideLocator::Side> sides;
-    for (int f : numbers) sides.push_back({faces[f].shape, faces[f].nodes});
+    std::vector<CurvedSide> sides;
+    for (int f : numbers) sides.push_back(faces[f]);
     patches_.emplace(patch, Patch{numbers, SideLocator(std::move(sides), x)});
   }
 }

@@ -3,7 +3,6 @@
 #include <map>
 #include <vector>
 
-#include "ale/face_place.hpp"
 #include "ale/mesh_surfaces.hpp"
 #include "ale/side_locator.hpp"
 

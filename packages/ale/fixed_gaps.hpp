@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 
-#include "ale/face_place.hpp"
 #include "ale/mesh_surfaces.hpp"
 
 namespace mudline {

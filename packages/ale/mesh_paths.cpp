@@ -89,7 +89,7 @@ class Splitter {
 
 }  // namespace
 
-SideLocator::Side MeshPath::side(int first) const {
+CurvedSide MeshPath::side(int first) const {
   const int last = first + stride;
   if (stride == 1) return {CellShape::line2, {nodes[first], nodes[last]}};
   return {CellShape::line3, {nodes[first], nodes[last], nodes[first + 1]}};

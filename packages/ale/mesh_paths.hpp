@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ale/side_locator.hpp"
+#include "ale/closest_on_side.hpp"
 
 namespace mudline {
 
@@ -21,7 +21,7 @@ struct MeshPath {
   /// Whether nodes between its ends may slide.
   bool slides() const { return num_vertices() > 2 && !material; }
   /// The side that begins at this one of its nodes.
-  SideLocator::Side side(int first) const;
+  CurvedSide side(int first) const;
 };
 
 /// All boundaries of the mesh's regions, split into paths. A path ends where regions meet, where the side sets change,

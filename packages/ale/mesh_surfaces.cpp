@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "ale/face_place.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -162,7 +161,7 @@ std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh) {
     if (side.other >= 0 && side.other < side.block) other_sets[{side.nodes.begin(), side.nodes.end()}] = side.sets;
   for (const auto& side : mesh.boundary()) {
     if (side.other >= 0 && side.other < side.block) continue;
-    SurfaceFace face{side.shape, {}, side.sets, side.other < 0, side.block, side.other};
+    SurfaceFace face{{side.shape, {}}, side.sets, side.other < 0, side.block, side.other};
     std::copy(side.nodes.begin(), side.nodes.end(), face.nodes.begin());
     const std::set<std::string>& across = other_sets[{side.nodes.begin(), side.nodes.end()}];
     face.sets.insert(across.begin(), across.end());

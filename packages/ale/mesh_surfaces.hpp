@@ -11,13 +11,11 @@
 namespace mudline {
 
 /// A face of the boundary of a region in space.
-struct SurfaceFace {
-  CellShape shape;
-  std::array<int, 9> nodes;    // global ids, in the order of the shape, as seen from outside `block`
-  std::set<std::string> sets;  // side sets that it belongs to
-  bool outer = true;           // on the boundary of the mesh, not between two regions
-  int block = 0, other = -1;   // regions on its two sides, the lower first; -1: none
-  int patch = -1;              // number of the patch that it belongs to; -1: not known yet
+struct SurfaceFace : CurvedSide {  // as seen from outside `block`
+  std::set<std::string> sets;      // side sets that it belongs to
+  bool outer = true;               // on the boundary of the mesh, not between two regions
+  int block = 0, other = -1;       // regions on its two sides, the lower first; -1: none
+  int patch = -1;                  // number of the patch that it belongs to; -1: not known yet
 };
 
 /// Faces that are smoothly joined: nodes inside the patch may slide on them.

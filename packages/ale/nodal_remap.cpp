@@ -14,12 +14,11 @@ void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Po
                              Place& place) const {
   double least = 1e300;
   for (int k = first; k + path.stride <= last; k += path.stride) {
-    const SideLocator::Side side = path.side(k);
-    const ClosestOnSide there = closest_on_side(side.shape, side.nodes.data(), x_old, x, least);
+    const CurvedSide side = path.side(k);
+    const ClosestOnSide there = closest_on_side(side, x_old, x, least);
     if (there.distance >= least) continue;
     least = there.distance;
-    place.side = side.shape;
-    place.side_nodes = side.nodes;
+    place.side = side;
     place.along = there.place;
   }
 }
@@ -33,9 +32,7 @@ NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& pat
       places_[node].same = node;
       continue;
     }
-    const MeshPlace place = locator.find(x_new[node], mesh.element_of(node));
-    places_[node].element = place.element;
-    std::copy(place.xi, place.xi + 3, places_[node].xi);
+    places_[node].inside = locator.find(x_new[node], mesh.element_of(node));
   }
   for (const MeshPath& path : paths)
     for (int i = 1; i + 1 < static_cast<int>(path.nodes.size()); ++i) {
@@ -51,9 +48,7 @@ NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& pat
     Place& place = places_[node];
     if (place.same >= 0 || !mesh.owns(node)) continue;
     const SurfacePlace there = surfaces->place(node, x_old, x_new[node]);
-    const SurfaceFace& face = surfaces->surfaces().faces[there.face];
-    place.side = face.shape;
-    place.side_nodes = face.nodes;
+    place.side = surfaces->surfaces().faces[there.face];
     place.along = there.xi;
   }
 }
@@ -64,11 +59,10 @@ NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh
   for (const auto& element : to_.elements())
     for (int a = 0; a < num_nodes(element.shape); ++a) {
       Place& place = places_[element.nodes[a]];
-      if (place.element >= 0 || !to_.owns(element.nodes[a])) continue;
+      if (place.inside.element >= 0 || !to_.owns(element.nodes[a])) continue;
       int& near = guess.emplace(element.block, mesh_.block_elements(element.block).front()).first->second;
-      const MeshPlace found = locator.find(to.x[element.nodes[a]], near);
-      near = place.element = found.element;
-      std::copy(found.xi, found.xi + 3, place.xi);
+      place.inside = locator.find(to.x[element.nodes[a]], near);
+      near = place.inside.element;
     }
   put_on_new_faces(from, to);
   for (std::size_t p = 0; p < to.paths.size(); ++p) put_on_new_path(from.paths[p], to.paths[p], from.x, to.x);
@@ -77,10 +71,7 @@ NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh
 NodalRemap::NodalRemap(const GhostedMesh& from, const GhostedMesh& to,
                        const std::vector<std::pair<int, MeshPlace>>& places)
     : mesh_(from), to_(to), places_(to.num_nodes()) {
-  for (const auto& [node, found] : places) {
-    places_[node].element = found.element;
-    std::copy(found.xi, found.xi + 3, places_[node].xi);
-  }
+  for (const auto& [node, found] : places) places_[node].inside = found;
 }
 
 void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {
@@ -97,9 +88,7 @@ void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {
       const auto same = at.find(to.x[node]);
       if (same != at.end()) place.same = same->second;
       const SurfacePlace there = locator.nearest(face.patch, to.x[node]);
-      const SurfaceFace& old = from.faces[there.face];
-      place.side = old.shape;
-      place.side_nodes = old.nodes;
+      place.side = from.faces[there.face];
       place.along = there.xi;
     }
 }
@@ -129,12 +118,11 @@ double NodalRemap::Sources::away(int a) const {
 
 NodalRemap::Sources NodalRemap::sources(const Place& place, Support support) const {
   Sources result;
-  const bool on_side = place.side_nodes[0] >= 0;
-  const CellShape whole = on_side ? place.side : mesh_.elements()[place.element].shape;
+  const CellShape whole = place.side ? place.side->shape : mesh_.elements()[place.inside.element].shape;
   result.shape = support == Support::vertices ? linear_partner(whole) : whole;
-  result.xi = on_side ? place.along.data() : place.xi;
+  result.xi = place.side ? place.along.data() : place.inside.xi;
   result.count = num_nodes(result.shape);
-  result.nodes = on_side ? place.side_nodes.data() : mesh_.elements()[place.element].nodes.data();
+  result.nodes = place.side ? place.side->nodes.data() : mesh_.elements()[place.inside.element].nodes.data();
   double slopes[81];
   evaluate_shape(result.shape, result.xi, result.weight, slopes);
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ale/mesh_paths.hpp"
@@ -43,11 +44,9 @@ class NodalRemap {
  private:
   struct Place {
     int same = -1;  // node of the old mesh at the same place
-    int element = -1;
-    double xi[3] = {0, 0, 0};
-    CellShape side{};  // side of the old boundary, for nodes on paths and surfaces
-    std::array<int, 9> side_nodes{-1};
-    FacePlace along{};
+    MeshPlace inside;
+    std::optional<CurvedSide> side;  // of the old boundary, for nodes on paths and surfaces
+    FacePlace along{};               // on the side
   };
   /// Sets the place to the closest point on the sides of an old path between the vertices `first` and `last`.
   void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,

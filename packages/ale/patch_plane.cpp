@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ale/face_place.hpp"
-
 namespace mudline {
 
 namespace {

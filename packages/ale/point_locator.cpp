@@ -93,12 +93,12 @@ const BoxTree& PointLocator::boxes(int block) const {
 
 MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {
   if (!boundary_) {
-    std::vector<SideLocator::Side> sides;
+    std::vector<CurvedSide> sides;
     for (int e = 0; e < static_cast<int>(mesh_.elements().size()); ++e) {
       const auto& element = mesh_.elements()[e];
       for (int s = 0; s < num_sides(element.shape); ++s) {
         if (element.neighbours[s] != GhostedMesh::outside) continue;
-        SideLocator::Side& side = sides.emplace_back(SideLocator::Side{side_shape(element.shape, s), {}});
+        CurvedSide& side = sides.emplace_back(CurvedSide{side_shape(element.shape, s), {}});
         auto node = side.nodes.begin();
         for (int a : side_nodes(element.shape, s)) *node++ = element.nodes[a];
         boundary_sides_.push_back({e, s});

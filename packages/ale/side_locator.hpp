@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "ale/closest_on_side.hpp"
@@ -11,19 +10,15 @@ namespace mudline {
 /// Finds the closest point on sides of elements, which are curved.
 class SideLocator {
  public:
-  struct Side {
-    CellShape shape;
-    std::array<int, 9> nodes;
-  };
   /// The closest point found so far.
   struct Place {
     int side = -1;  // its number; -1: none
-    Vec<double, 2> xi{};
+    FacePlace xi{};
     double distance = 1e300;  // [m]
   };
 
   /// `x`: all nodes' positions, which must outlive it.
-  SideLocator(std::vector<Side> sides, const Positions& x);
+  SideLocator(std::vector<CurvedSide> sides, const Positions& x);
   /// Puts the closest point on the sides into `best` if it is closer than that. Of sides that are equally close it is
   /// the first.
   void approach(const Point& point, Place& best) const;
@@ -31,7 +26,7 @@ class SideLocator {
   void approach(int side, const Point& point, Place& best) const;
 
  private:
-  std::vector<Side> sides_;
+  std::vector<CurvedSide> sides_;
   const Positions& x_;
   BoxTree boxes_;
 };

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "ale/face_place.hpp"
 #include "ale/fixed_gaps.hpp"
 #include "ale/mean_ratio.hpp"
 #include "ale/mesh_surfaces.hpp"

@@ -74,7 +74,7 @@ SurfaceTransfer::SurfaceTransfer(const Ale& before, const Side& old, const Side&
     origins_ = origins(rows_before, rows_now);
     return;
   }
-  std::vector<SideLocator::Side> sides;
+  std::vector<CurvedSide> sides;
   for (const MeshPath& path : before.paths()) {
     if (!path.sets.count(surface)) continue;
     double s = 0;

@@ -27,7 +27,7 @@ class SideLocatorTest : public ::testing::Test {
 
   std::mt19937 random{7};
   Positions x;
-  std::vector<SideLocator::Side> faces;
+  std::vector<CurvedSide> faces;
 };
 
 }  // namespace
@@ -39,7 +39,7 @@ TEST_F(SideLocatorTest, FindsWhatALookAtEverySideFinds) {
     int nearest = -1;
     double least = 1e300;
     for (std::size_t f = 0; f < faces.size(); ++f) {
-      const ClosestOnSide there = closest_on_side(faces[f].shape, faces[f].nodes.data(), x, point);
+      const ClosestOnSide there = closest_on_side(faces[f], x, point);
       if (there.distance >= least) continue;
       least = there.distance;
       nearest = static_cast<int>(f);
@@ -61,7 +61,7 @@ TEST_F(SideLocatorTest, ACloserPlaceStays) {
 
 TEST(SideLocator, OfEquallyCloseSidesItIsTheFirst) {
   const Positions x = {{-1, 1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {5, 0, 0}, {6, 0, 0}};
-  const SideLocator::Side up{CellShape::line2, {0, 1}}, down{CellShape::line2, {2, 3}}, far{CellShape::line2, {4, 5}};
+  const CurvedSide up{CellShape::line2, {0, 1}}, down{CellShape::line2, {2, 3}}, far{CellShape::line2, {4, 5}};
   for (const auto& sides : {std::vector{far, up, down}, std::vector{far, down, up}}) {
     SideLocator::Place found;
     SideLocator(sides, x).approach({0.5, 0, 0}, found);

@@ -150,15 +150,15 @@ TEST(FacePlace, ClosestPointOfACurvedFace) {
 TEST(ClosestOnSide, NoOtherPointOfABentFaceIsCloser) {
   for (const CellShape shape : {CellShape::tri6, CellShape::quad9}) {
     Places x;
-    std::vector<int> nodes;
+    CurvedSide face{shape, {}};
     for (int a = 0; a < num_nodes(shape); ++a) {
       const auto xi = reference_node(shape, a);
       x.push_back({xi[0], xi[1] + 0.1 * xi[0] * xi[0], 0.3 * std::sin(2 * xi[0] + xi[1])});
-      nodes.push_back(a);
+      face.nodes[a] = a;
     }
     for (int k = 0; k < 200; ++k) {
       const Point at{-2.5 + 0.73 * (k % 7), -2.5 + 0.61 * (k % 8), -0.8 + 0.27 * (k % 9)};
-      const ClosestOnSide found = closest_on_side(shape, nodes.data(), x, at);
+      const ClosestOnSide found = closest_on_side(face, x, at);
       const auto place = [&](double a, double b) {
         const double xi[2] = {a, b};
         double N[9], dN[18];
