@@ -8,14 +8,19 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 include(MudlineLauncher)
 mudline_launcher(mudline_mpiexec ${MPIEXEC_EXECUTABLE})
+if("--oversubscribe" IN_LIST mudline_mpiexec AND NOT MUDLINE_SANITIZE)  # a sanitizer's library must be the first
+  add_library(mudline_waiting_ranks MODULE ${CMAKE_CURRENT_LIST_DIR}/../tests/support/waiting_ranks.cpp)
+  list(APPEND mudline_mpiexec -x LD_PRELOAD=$<TARGET_FILE:mudline_waiting_ranks>)
+endif()
 
 # mudline_test(NAME LABELS word... {SCRIPT file.py | COMMAND program} [argument...] [RANKS n]
 #              [ENVIRONMENT name=value...])
 #
 # SCRIPT is a Python file of the calling folder. RANKS: processors that it takes; for tests that are a run of so
 # many ranks and little else. Tests that mostly start runs of one rank take one. Ranks that wait give their core away
-# (OpenMPI's mpi_yield_when_idle): on a busy machine ranks that spin take four times the CPU time. They share one
-# machine: OpenMPI looks for no network and hwloc for no device, which took a third of a start.
+# (OpenMPI's mpi_yield_when_idle) and sleep for a moment (mudline_waiting_ranks): on a busy machine ranks that spin take
+# four times the CPU time. They share one machine: OpenMPI looks for no network and hwloc for no device, which took a
+# third of a start.
 #
 # tests/support/cpu_limit.py ends what never would: a test that runs away, after `cpu` seconds on processors of all that
 # it starts, and one that hangs, by the clock. The limit is one for all and some five times what the dearest test takes
