@@ -14,6 +14,9 @@ SURCHARGE = 100e3  # [Pa]
 MEAN = (100e3 + 2 * 45e3) / 3  # [Pa] effective, at the start
 # [MPa] net, at two and four radii, of inputs/cpt/sand.xml itself: docs/benchmarks/sand_cone.md
 FINER = {0.65: (3.00, 4.93), 0.85: (1.42, 2.10)}
+# of inputs/pile/dry_sand.xml: sides half as long again
+COARSER = ("mesh/parameters/fine=0.03", "mesh/parameters/coarse=1.2", "mesh motion/boundary/size near focus=0.06",
+           "mesh motion/remeshing/wall size=0.0375")
 
 
 def inputs(folder, *names):
@@ -54,8 +57,9 @@ class Cone(MudlineCase):
 @problem("consistency", title="Pile in dry and in saturated hypoplastic sand")
 class Pile(MudlineCase):
     def test_drained_water_only_takes_weight(self):
-        """One diameter deep: the sand under water, and dry with grains lighter by the water's density."""
-        settings = ["stages/push/duration=20"]
+        """One diameter deep, with sides half as long again as the deck's: the sand under water, and dry with grains
+        lighter by the water's density."""
+        settings = ["stages/push/duration=20", *COARSER]
         wet = self.run_deck(inputs("pile", "dry_sand", "saturated_sand"), settings, name="saturated_sand")
         dry = self.run_deck(inputs("pile", "dry_sand"), settings + ["materials/sand/grain density=1650"])
         for history in (wet, dry):
