@@ -67,6 +67,11 @@ ArrayInfo&& ArrayInfo::not_shown() && {
   return std::move(*this);
 }
 
+ArrayInfo&& ArrayInfo::rest_in(long long row) && {
+  rest = row;
+  return std::move(*this);
+}
+
 int ArrayInfo::columns() const {
   return std::accumulate(variables.begin(), variables.end(), 0,
                          [](int sum, const StateVariable& variable) { return sum + variable.components; });

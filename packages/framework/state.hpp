@@ -63,6 +63,9 @@ struct ArrayInfo {
   /// Ids of the rows, independent of the number of ranks, for a restart on another number of them. Empty for points and
   /// sums; the rows of a model may go without.
   std::vector<long long> ids = {};
+  /// Id of the row that takes the sum of the rows that a restart no longer has; rows that are new start with 0. -1: a
+  /// restart has the same rows.
+  long long rest = -1;
   /// After a transfer the array takes what its terms write when the state is evaluated at rest: stresses returned to
   /// the yield surface, gaps.
   bool evaluated = false;
@@ -82,6 +85,8 @@ struct ArrayInfo {
   /// The same array with the flag `evaluated` or `hidden`.
   ArrayInfo&& then_evaluated() &&;
   ArrayInfo&& not_shown() &&;
+  /// The same array, whose rows may be others in a restart, see `rest`.
+  ArrayInfo&& rest_in(long long row) &&;
 
   int columns() const;
   /// Why this description contradicts itself; "": it does not.

@@ -14,13 +14,12 @@ bool does_work(const Term& term) {
   return term.role() == Role::force || term.role() == Role::inertia || term.role() == Role::contact;
 }
 
-/// Whether the term adds to a scalar's balance from outside.
 }  // namespace
 
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
   std::vector<long long> ids;
   for (int row = 0; row < first_term; ++row) ids.push_back(row);
-  for (const Term* term : terms_) ids.push_back(id_of(term->name()));
+  for (const auto& [term, name] : model_.named_terms()) ids.push_back(id_of(name));
   first_conserved_ = static_cast<int>(ids.size());
   for (const Conserved& what : model_.conserved())
     for (const char* row : {"start", "outflow", "turnover", "remap"})
@@ -31,7 +30,8 @@ Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
     for (const char* what : {"restored ", "unresolved "})
       for (const auto& material : model_.soil()->materials) ids.push_back(id_of(what + material->name));
   }
-  handle_ = model.store().declare(ArrayInfo::of_model("balance", {{"value", 1, "SI"}}, std::move(ids)).not_shown());
+  handle_ = model.store().declare(
+      ArrayInfo::of_model("balance", {{"value", 1, "SI"}}, std::move(ids)).not_shown().rest_in(earlier_works));
 }
 
 int Balances::row_of(const Term* term) const {
@@ -239,7 +239,7 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
   const PointView rows = state.arrays[handle_];
   const Inventory now = inventory(state);
   // The works of all terms, kinetic energy among them, add up to the energy supplied by prescribed motion.
-  double works = 0, inertia = 0;
+  double works = rows(earlier_works, 0), inertia = 0;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const double work = rows(first_term + static_cast<int>(k), 0);
     works += work;

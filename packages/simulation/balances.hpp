@@ -49,6 +49,7 @@ class Balances {
     remap_momentum,
     remap_kinetic = remap_momentum + directions,
     remap_drift,
+    earlier_works,  // of terms that the run had which this one goes on from, and that it has no longer
     first_term
   };
   Inventory inventory(const State& state) const;

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/deck.hpp"
@@ -60,6 +61,7 @@ struct Rows {
   std::vector<long long> ids;  // by row; empty: the rows are the same on every rank
   bool shares = false;         // the ranks' rows of one id add up
   int receivers = 0;           // for shares: the number of first rows on this rank that receive the sums
+  long long rest = -1;         // see ArrayInfo
 };
 
 /// An array of the state with its place in memory, row by row.
@@ -75,7 +77,8 @@ StateArray nodal(const std::string& name, const NodalView& view, const Rows& row
 }
 
 Rows rows_of(const Mesh& mesh, const ArrayInfo& info) {
-  Rows rows{"ids/array/" + info.name, info.ids, info.on == ArrayInfo::On::sum, mesh.comm()->getRank() == 0 ? 1 : 0};
+  Rows rows{"ids/array/" + info.name, info.ids, info.on == ArrayInfo::On::sum, mesh.comm()->getRank() == 0 ? 1 : 0,
+            info.rest};
   if (info.on == ArrayInfo::On::points)
     for (long long element : mesh.blocks()[info.block].global_ids)
       for (int q = 0; q < info.points_per_element; ++q) rows.ids.push_back(element * info.points_per_element + q);
@@ -99,13 +102,9 @@ std::vector<StateArray> arrays_of(Model& model, const NodalView& initial_pressur
       nodal("nodal/initial pressure", initial_pressure, dof),
       StateArray{"nodal/coordinates", state.coordinates.data(), state.coordinates.size(), node}};
   std::size_t slot = 0;
-  std::map<std::string, int> namesakes;
-  for (const Term* term : model.all_terms()) {
-    if (!face<const History>(*term)) continue;
-    const int before = namesakes[term->name()]++;
-    const std::string name = term->name() + (before > 0 ? "#" + std::to_string(before) : "");
-    arrays.push_back(nodal("history force/" + name, state.history_forces[slot++], forces));
-  }
+  for (const auto& [term, name] : model.named_terms())
+    if (face<const History>(*term))
+      arrays.push_back(nodal("history force/" + name, state.history_forces[slot++], forces));
   for (int i = 0; i < model.store().num_arrays(); ++i) {
     const ArrayInfo& info = model.store().info(i);
     arrays.push_back({"array/" + info.name, state.arrays[i].data(), state.arrays[i].size(), rows_of(mesh, info)});
@@ -146,6 +145,22 @@ void redistribute(const std::vector<double>& from, const std::vector<long long>&
   }
 }
 
+/// Fills rows that may be others than those of the checkpoint, which are the same on every rank.
+void take_rest(const std::vector<double>& from, const std::vector<long long>& ids, const StateArray& to) {
+  const std::size_t columns = to.size / to.rows.ids.size();
+  if (from.size() != columns * ids.size()) does_not_fit(to.name);
+  std::unordered_map<long long, std::size_t> row_of;
+  for (std::size_t row = 0; row < to.rows.ids.size(); ++row) row_of.emplace(to.rows.ids[row], row);
+  std::fill(to.values, to.values + to.size, 0.0);
+  std::unordered_set<long long> seen;  // on the ranks before
+  for (std::size_t row = 0; row < ids.size(); ++row) {
+    if (!seen.insert(ids[row]).second) continue;
+    const auto found = row_of.find(ids[row]);
+    const std::size_t place = found != row_of.end() ? found->second : row_of.at(to.rows.rest);
+    for (std::size_t c = 0; c < columns; ++c) to.values[place * columns + c] += from[row * columns + c];
+  }
+}
+
 /// Fills rows without ids from the parts of all ranks: they are the same on every rank, or shares that add up.
 void take_common(const std::vector<double>& from, int ranks, const StateArray& to) {
   if (from.size() != to.size * ranks) does_not_fit(to.name);
@@ -163,6 +178,8 @@ void restore(const CheckpointData& from, const StateArray& to) {
     if (values.size() != to.size) does_not_fit(to.name);
   } else {
     const std::vector<long long>& ids = find(from.integers, to.rows.name, to.name);
+    const bool same = from.ranks == 0 && ids == to.rows.ids;
+    if (to.rows.rest >= 0 && !same) return take_rest(values, ids, to);
     if (from.ranks > 0) return redistribute(values, ids, to);
     if (values.size() != to.size || ids != to.rows.ids) does_not_fit(to.name);
   }
@@ -288,7 +305,9 @@ void Checkpoint::read(Model& model, const ExcessPressure& pressure, Progress& pr
       // a checkpoint of an earlier version has no predictor
       if (const auto rate = data_.arrays.find("nodal/rate"); rate != data_.arrays.end())
         data_.arrays.emplace("nodal/predictor", rate->second);
-      for (const StateArray& array : arrays_of(model, pressure.initial())) restore(data_, array);
+      // what a start lacks belongs to conditions that are new in it, for nothing else may be
+      for (const StateArray& array : arrays_of(model, pressure.initial()))
+        if (use_ != For::start || data_.arrays.count(array.name) > 0) restore(data_, array);
     } catch (const InputError& error) {
       throw InputError(path_ + ": " + error.what());
     }

@@ -403,6 +403,16 @@ std::vector<const Term*> Model::all_terms() const {
   return terms;
 }
 
+std::vector<std::pair<const Term*, std::string>> Model::named_terms() const {
+  std::vector<std::pair<const Term*, std::string>> named;
+  std::map<std::string, int> namesakes;
+  for (const Term* term : all_terms()) {
+    const int before = namesakes[term->name()]++;
+    named.emplace_back(term, term->name() + (before > 0 ? "#" + std::to_string(before) : ""));
+  }
+  return named;
+}
+
 void Model::prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const {
   const auto named = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();

@@ -50,6 +50,8 @@ class Model {
   const std::vector<std::unique_ptr<Condition>>& conditions() const { return conditions_; }
   /// Every term of the model, active or not, in a fixed order.
   std::vector<const Term*> all_terms() const;
+  /// These with names of their own: "#1" follows at the second term of a name.
+  std::vector<std::pair<const Term*, std::string>> named_terms() const;
   /// Mesh motion; null: the mesh moves with the soil.
   const Ale* ale() const { return ale_.get(); }
   const StepTolerances& tolerances() const { return tolerances_; }

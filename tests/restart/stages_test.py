@@ -230,5 +230,52 @@ class Branches(RestartCase):
         self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
 
 
+class OtherConditions(RestartCase):
+    """What goes on from a run may have conditions of its own."""
+
+    HELD = ("base", "left side", "right side", "drained surface", "load")
+    WORKS = "balance/energy/error"
+
+    def stages(self, first=None):
+        steps = {"initial": 2.0, "growth": 1.2, "maximum": 20.0}
+        first = {} if first is None else {"conditions": list(first)}
+        return {"consolidation": {"duration": 100.0, "integrator": {"start-up steps": 0}, "time step": steps, **first},
+                "later": {"type": "quasi-static", "duration": 100.0, "time step": steps}}
+
+    def column(self, name, *more, first=None, **sections):
+        deck = self.write(f"{name}.xml", deck_text(name, {"stages": self.stages(first), **sections}))
+        self.runs(TERZAGHI, deck, *settings("mesh/cells={1, 20}", f"output/name={name}"), *more)
+
+    def rows(self, name):
+        return History(self.result(name, ".csv"))
+
+    def same(self, name, whole, column):
+        """The last rows are those of the whole run."""
+        one, other = self.rows(name)[column], self.rows(whole)[column][-len(self.rows(name).time):]
+        self.assertGreater(len(one), 4)
+        self.assertLess(np.abs(one - other).max(), 1e-9 * max(1e-3, np.abs(other).max()))
+
+    def test_a_load_more(self):
+        load = {"second load": {"type": "traction", "set": "top", "y": -10.0}}
+        self.column("whole", first=self.HELD, **{"boundary conditions": load})
+        self.column("run", branches={"more": {"from": "consolidation", "boundary conditions": load}})
+        for column in (BASE, "probe/top/displacement y", "balance/water/outflow", self.WORKS):
+            self.same("run_more", "whole", column)
+        self.assertGreater(self.rows("run_more")[BASE].max(), 1.5 * self.rows("run")[BASE][-5:].max())
+
+    def test_a_load_less(self):
+        """The work of a load that is gone still counts in the balance of energy."""
+        surcharge = {"load": {"type": "traction", "set": "left", "x": 0.0},
+                     "weight on top": {"type": "pressure", "set": "top", "value": 10.0}}
+        held = [name for name in self.HELD if name != "load"] + ["weight on top"]
+        self.column("run", first=held, **{"boundary conditions": surcharge})
+        deck = self.write("later.xml", deck_text("later", {"stages": self.stages()}))
+        for ranks in (1, 2):
+            self.runs(TERZAGHI, deck, *settings("mesh/cells={1, 20}", f"output/name=later{ranks}",
+                                                "start/from=results/run@consolidation"), ranks=ranks)
+            works = self.rows(f"later{ranks}")
+            self.assertLess(np.abs(works[self.WORKS]).max(), 1e-9 * np.abs(works["balance/energy/stress divergence"]).max())
+
+
 if __name__ == "__main__":
     unittest.main()
