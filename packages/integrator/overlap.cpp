@@ -72,25 +72,4 @@ std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v) {
   return norms;
 }
 
-namespace {
-template <class T>
-T reduce(const Comm& comm, T value, Teuchos::EReductionType operation) {
-  T result;
-  Teuchos::reduceAll(comm, operation, 1, &value, &result);
-  return result;
-}
-}  // namespace
-
-int sum_over_ranks(const Comm& comm, int value) { return reduce(comm, value, Teuchos::REDUCE_SUM); }
-double sum_over_ranks(const Comm& comm, double value) { return reduce(comm, value, Teuchos::REDUCE_SUM); }
-double min_over_ranks(const Comm& comm, double value) { return reduce(comm, value, Teuchos::REDUCE_MIN); }
-double max_over_ranks(const Comm& comm, double value) { return reduce(comm, value, Teuchos::REDUCE_MAX); }
-
-std::vector<double> sum_over_ranks(const Comm& comm, const std::vector<double>& values) {
-  std::vector<double> result(values.size());
-  if (!values.empty())
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(values.size()), values.data(), result.data());
-  return result;
-}
-
 }  // namespace mudline

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <utility>
 #include <vector>
 
+#include "algebra/over_ranks.hpp"
 #include "framework/state.hpp"
 
 namespace mudline {
@@ -28,12 +27,5 @@ NodalView sum_overlap(const DofMap& dofs, const NodalView& overlap);
 std::vector<double> owned_field_products(const DofMap& dofs, const Vector& a, const Vector& b);
 /// Two-norms of the owned entries of each field over all ranks. Collective.
 std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v);
-
-/// Sums, minimum and maximum over all ranks. Collective.
-int sum_over_ranks(const Comm& comm, int value);
-double sum_over_ranks(const Comm& comm, double value);
-std::vector<double> sum_over_ranks(const Comm& comm, const std::vector<double>& values);
-double min_over_ranks(const Comm& comm, double value);
-double max_over_ranks(const Comm& comm, double value);
 
 }  // namespace mudline

@@ -104,8 +104,8 @@ void WallDissipation::add_side(const Model& model, const Side& side, const Nodal
 WallDissipation::Wall WallDissipation::look(const Model& model, const Contact& contact, const NodalView& excess) {
   Wall wall;
   for (const Side& side : pressed_sides(model, contact)) add_side(model, side, excess, wall);
-  const std::vector<double> sum =
-      sum_over_ranks(*model.mesh().comm(), {wall.pressure, wall.thickness, wall.diffusivity, wall.area});
+  const std::vector<double> sum = sum_over_ranks(
+      *model.mesh().comm(), std::vector<double>{wall.pressure, wall.thickness, wall.diffusivity, wall.area});
   if (!(sum[3] > 0)) return {};
   return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]};
 }
