@@ -15,9 +15,9 @@ void Stage::parameters(Parameters& p) {
   if (p.documenting() || type != Type::geostatic)
     p.required("duration", duration, "s", positive(),
                "time the stage lasts, at most where it has 'ends when' (a geostatic stage takes none)");
-  p.add("conditions", wanted_conditions_, "names of the boundary conditions that act; absent: all; {none}: none");
+  p.add("conditions", wanted_conditions_, "names of the boundary conditions that act; absent: all; {none} or {}: none");
   p.add("contacts", wanted_contacts_,
-        "names of the contacts that act; absent: all in dynamic and quasi-static stages; {none}: none");
+        "names of the contacts that act; absent: all in dynamic and quasi-static stages; {none} or {}: none");
   p.choice("initial rates", initial_rates,
            {{"automatic", InitialRates::automatic},
             {"keep", InitialRates::keep},
