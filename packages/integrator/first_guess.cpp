@@ -97,6 +97,7 @@ bool FirstGuess::iterate(Vector& x, Vector& f, const std::vector<double>& before
   const std::vector<double> acting = system_.convergence().acting();
   system_.forget_jacobian();
   Vector correction(system_.map());
+  system_.solve_roughly(f);
   const bool solved = system_.jacobian(x) && system_.solve(f, correction);
   solved_ += solved ? 1 : 0;
   if (solved) x.update(-1, correction, 1);

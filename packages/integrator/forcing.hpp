@@ -6,13 +6,14 @@ namespace mudline {
 
 /// Forcing term of an inexact Newton method: the fraction of the residual that an iterative linear solve may leave (S.
 /// C. Eisenstat, H. F. Walker, SIAM J. Sci. Comput. 17, 1996, 16-32, their second choice). It follows from the last
-/// contraction of the residual. Ratios: residual over its tolerance, worst field.
+/// contraction of the residual below its least value so far: a residual that only returns to what it was has not
+/// converged. Ratios: residual over its tolerance, worst field.
 class Forcing {
  public:
   double largest = 0.1;  // 0: off
 
   void start_step() {
-    before_ = 0;
+    least_ = 0;
     first_ = true;
   }
   /// Forgets the share learnt from earlier steps.
@@ -21,8 +22,8 @@ class Forcing {
   /// the iterate.
   double next(double ratio) {
     if (largest == 0 || !(ratio > 0)) return 0;
-    if (before_ > 0) {
-      const double contraction = ratio / before_;
+    if (least_ > 0) {
+      const double contraction = ratio / least_;
       // The part of the contraction that the linear solve did not leave is due to curvature. If it is small, the next
       // step starts with a tighter linear solve instead of linearising again.
       if (first_) start_ = contraction > 2 * share_ ? contraction - share_ : square(contraction);
@@ -31,14 +32,14 @@ class Forcing {
     } else {
       share_ = start_;
     }
-    before_ = ratio;
+    least_ = least_ > 0 ? std::min(least_, ratio) : ratio;
     share_ = std::min(largest, std::max(share_, 0.3 / ratio));  // no further than the end of the iteration needs
     return share_;
   }
 
  private:
   static double square(double contraction) { return 0.9 * contraction * contraction; }
-  double before_ = 0, share_ = 0;
+  double least_ = 0, share_ = 0;
   double start_ = 1;  // share of the first iteration of a step, learnt from the previous step
   bool first_ = true;
 };

@@ -149,8 +149,15 @@ bool StepSystem::solve_apart(const Vector& right, double tolerance, Vector& x) {
 void StepSystem::observe(double worst) {
   chord_.observe(worst, convergence_.observe());
   frame_.set_elastic_share(elastic_share_.next(worst));
-  // by field, so that no field is solved further than the worst one needs
-  const double share = solver_.iterative() ? forcing_.next(worst) : 0.0;
+  leave(solver_.iterative() ? forcing_.next(worst) : 0.0, worst);
+}
+
+void StepSystem::solve_roughly(const Vector& f) {
+  const std::vector<double> ratios = residual_ratios(f);
+  leave(solver_.iterative() ? forcing_.largest : 0.0, *std::max_element(ratios.begin(), ratios.end()));
+}
+
+void StepSystem::leave(double share, double worst) {
   enough_.clear();
   if (share > 0)
     for (const double limit : convergence_.limits()) enough_.push_back(share * worst * limit);

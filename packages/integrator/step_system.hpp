@@ -60,6 +60,9 @@ class StepSystem : public NonlinearProblem {
   /// where it does not converge. Collective.
   bool solve_apart(const Vector& right, double tolerance, Vector& x);
 
+  /// The next linear solve may leave as much of the residual f as forcing allows at most.
+  void solve_roughly(const Vector& f);
+
   /// Restores the linear solver from solver_memory() of the run that is continued.
   void restore_solver(const std::vector<double>& memory);
   /// Data for restore_solver(): the solver's memory and the state of the chord control. Afterwards this run continues
@@ -110,6 +113,9 @@ class StepSystem : public NonlinearProblem {
   /// Whether the trial state was last evaluated at exactly x. Collective.
   bool is_evaluated_at(const Vector& x) const;
   void use_matrix();
+  /// The next linear solve may leave this share of a residual whose worst ratio is `worst`. Each field is solved as far
+  /// as the worst one needs. 0: it is solved to the linear tolerance.
+  void leave(double share, double worst);
 
   const Space& space_;
   StateStore& store_;

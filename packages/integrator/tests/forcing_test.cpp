@@ -16,6 +16,13 @@ TEST(Forcing, FollowsTheContraction) {
   EXPECT_DOUBLE_EQ(forcing.next(0.5), 0.1);
 }
 
+TEST(Forcing, SolvesNoFurtherWhereTheResidualReturnsToWhatItWas) {
+  Forcing forcing;
+  forcing.start_step();
+  for (const double ratio : {860.0, 4600.0, 570.0, 6400.0, 580.0}) EXPECT_DOUBLE_EQ(forcing.next(ratio), 0.1);
+  EXPECT_DOUBLE_EQ(forcing.next(57), 0.9 * 0.1 * 0.1);  // a tenth of the least one
+}
+
 TEST(Forcing, SolvesFurtherAtOnceWhereTheStepBeforeHadNoCurvature) {
   Forcing forcing;
   for (const double share : {0.1, 0.9 * 0.1 * 0.1, 0.9 * 0.009 * 0.009}) {
