@@ -97,6 +97,9 @@ class Tutorials(MudlineCase):
     def test_page_soil_law(self):
         self.assertGreaterEqual(self.walk("soil_law"), 8)
 
+    def test_page_calibration(self):
+        self.assertGreaterEqual(self.walk("calibration"), 6)
+
     def test_page_friction_law(self):
         self.assertGreaterEqual(self.walk("friction_law"), 5)
 

@@ -41,7 +41,7 @@ NOT_FOUND = """
 - The resistance of a cone in the sand of [the sand cone](benchmarks/sand_cone.md): the parameters of the law are
   published, a measured resistance is not. Nor the numbers of the published ratio of a cone's resistance to the limit
   pressure of a cavity in hypoplastic sand (Cudmani and Osinov 2001).
-- Parameters of S-CLAY1S and Creep-SCLAY1S of Bothkennar, Murro and Gothenburg clay
+- Parameters of S-CLAY1S and Creep-SCLAY1S of Bothkennar, Murro, Gothenburg, POKO, Vanttila and Otaniemi clay
   ([materials](materials.md#10-s-clay1s-with-creep)).
 - The parameters of the kaolin in which the piezocones of May (1987) were pushed, and which strength was measured: the
   abstract has neither ([piezocone](measurements/kaolin_cone.md)). Those of another kaolin are used.
