@@ -1,7 +1,7 @@
 """Draws docs/pictures/measured_clay_sites.png and prints the table of docs/measurements/clay_sites.md.
 
 Arguments: the program, and the table of `mudline sweep inputs/measurements/clay_sites.xml`; without it the sweep is
-run, which takes some ten minutes.
+run, which takes some fifteen minutes.
 """
 
 import csv
@@ -16,7 +16,7 @@ import laboratory
 
 RATIO, SLOPE, Q, BQ = "overconsolidation ratio [-]", "critical stress ratio [-]", "Q [-]", "B_q [-]"
 EFFECTIVE = "(q_t - u2)/sigma'_v [-]"
-CLAYS = {0.8985: "kaolin of the piezocone", 0.803: "Kaolin K1"}  # by critical stress ratio
+CLAYS = {0.8985: "kaolin of the piezocone", 0.803: "Kaolin K1", 0.95: "Weald clay"}  # by critical stress ratio
 
 
 def sweep():
