@@ -45,6 +45,8 @@ NOT_FOUND = """
   ([materials](materials.md#10-s-clay1s-with-creep)).
 - The parameters of the kaolin in which the piezocones of May (1987) were pushed, and which strength was measured: the
   abstract has neither ([piezocone](measurements/kaolin_cone.md)). Those of another kaolin are used.
+- Points of cones that were pushed at several rates in a centrifuge, for the curve from undrained to drained
+  resistance: abstracts and first pages only.
 - The name of the sand of GA-cal and its parameters of the intergranular strain ([sand](measurements/sand.md)).
 - Fall cone tests in a clay whose strength was measured at a stated rate, and the numbers of theoretical cone factors
   ([fall cone](measurements/fall_cone.md)).
