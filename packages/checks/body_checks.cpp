@@ -253,13 +253,9 @@ void mudline_height(const BodySetup& of, const Judge& judge) {
 }
 
 void prescribed_speed(const BodySetup& of, const Judge& judge) {
-  double fastest = 0;
-  for (std::size_t i = 1; i < of.places.size(); ++i)
-    if (of.places[i].time > of.places[i - 1].time)
-      fastest = std::max(fastest, length(of.places[i].displacement - of.places[i - 1].displacement) /
-                                      (of.places[i].time - of.places[i - 1].time));
   if (of.surfaces.sides > 0)
-    judge(fastest, of.called() + ": its prescribed speed", "give it in m/s (mm/s and km/h are larger numbers)");
+    judge(of.largest_speed(), of.called() + ": its prescribed speed",
+          "give it in m/s (mm/s and km/h are larger numbers)");
 }
 
 /// Calls f(velocity, spin, text that names the stage) for every stage that gives the body an initial velocity.

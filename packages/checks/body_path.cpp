@@ -11,48 +11,24 @@ namespace mudline {
 
 namespace {
 
-constexpr int parts_of_path = 200;
-
 double distance(const PlanePoint& a, const PlanePoint& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
 }  // namespace
 
-BodyPath::BodyPath(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions)
-    : body_(body), positions_(positions) {
+BodyPath::BodyPath(BodyWay way, const Model& model, const GhostedMesh& mesh, const Positions& positions)
+    : BodyWay(std::move(way)), positions_(positions) {
   for (const Point& p : body.outline(body.initial_placement()))
     radius_ = std::max(radius_, std::abs(p[0] - body.initial_position()[0]));
-  follow(model);
   find_surface(model, mesh);
   find_boundaries(model, mesh);
 }
 
-void BodyPath::follow(const Model& model) {
-  BodyState now;
-  std::shared_ptr<const BodyMotion> before;
-  double time = 0;
-  places_ = {{0, {0, 0}}};
-  for (const auto& stage : model.stages()) {
-    const auto motion = model.motion_in(*stage, body_.name());
-    if (motion && motion->released() && !release_) release_ = motion;
-    if (motion && motion->released()) free_time_ += stage->duration;
-    if (motion != before) now.moving_time = 0;
-    before = motion;
-    const double dt = stage->duration / parts_of_path;
-    if (motion && !release_ && dt > 0)
-      for (int i = 0; i < parts_of_path; ++i) {
-        now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
-        places_.push_back({time + (i + 1) * dt, in_plane(now.displacement)});
-      }
-    time += stage->duration;
-  }
-}
-
 void BodyPath::find_surface(const Model& model, const GhostedMesh& mesh) {
   std::set<int> nodes;
-  const double middle = body_.initial_position()[0];
+  const double middle = body.initial_position()[0];
   for (const auto& [name, contact] : model.contacts()) {
     const ContactPartners partners = contact->partners();
-    if (partners.body != &body_) continue;
+    if (partners.body != &body) continue;
     for (const auto& side : mesh.boundary()) {
       if (side.sets.count(partners.surface) == 0) continue;
       nodes.insert(side.nodes.begin(), side.nodes.end());
@@ -63,7 +39,7 @@ void BodyPath::find_surface(const Model& model, const GhostedMesh& mesh) {
         top_ = std::max(top_, positions_[node][1]);
       }
     }
-    if (body_.contour().extent() == ContourExtent::half) find_corner(mesh, partners.surface);
+    if (body.contour().extent() == ContourExtent::half) find_corner(mesh, partners.surface);
   }
   surface_.assign(nodes.begin(), nodes.end());
 }
@@ -89,7 +65,7 @@ void BodyPath::find_corner(const GhostedMesh& mesh, const std::string& surface) 
     for (const auto& [node, count] : met) {
       double r = positions_[node][0];
       if (count != 1 || r < 1e-9 * reach_ || r > reach_ * (1 - 1e-9)) continue;
-      const ContourProjection projection = projection_at({0, 0}, in_plane(positions_[node]));
+      const ContourProjection projection = projection_at({}, in_plane(positions_[node]));
       const bool on_flank = std::abs(projection.gap) < 0.02 * radius_ && std::abs(projection.normal[0]) > 0.3;
       if (on_flank) r = radius_;  // a hole that fits the body
       if (corner_ == 0 || std::abs(std::log(r / radius_)) < std::abs(std::log(corner_ / radius_))) corner_ = r;
@@ -114,13 +90,13 @@ void BodyPath::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   }
 }
 
-ContourProjection BodyPath::projection_at(const PlanePoint& displacement, const PlanePoint& point) const {
-  BodyPlacement placement = body_.initial_placement();
-  for (int i = 0; i < 2; ++i) placement.centre[i] += displacement[i];
-  return body_.closest(placement, point);
+ContourProjection BodyPath::projection_at(const Point& displacement, const PlanePoint& point) const {
+  BodyPlacement placement = body.initial_placement();
+  placement.centre += displacement;
+  return body.closest(placement, point);
 }
 
-double BodyPath::gap(const PlanePoint& displacement) const {
+double BodyPath::gap(const Point& displacement) const {
   double least = 1e300;
   for (int node : surface_) least = std::min(least, gap_at(displacement, in_plane(positions_[node])));
   return least;
@@ -129,10 +105,10 @@ double BodyPath::gap(const PlanePoint& displacement) const {
 std::optional<std::size_t> BodyPath::arrival() const {
   const double touching = 1e-6 * radius_;
   double left = first_gap();  // lower bound of the gap
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (i > 0) left -= distance(places_[i].displacement, places_[i - 1].displacement);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i > 0) left -= length(places[i].displacement - places[i - 1].displacement);
     if (left > touching) continue;
-    left = gap(places_[i].displacement);
+    left = gap(places[i].displacement);
     if (left <= touching) return i;
   }
   return std::nullopt;
@@ -140,58 +116,49 @@ std::optional<std::size_t> BodyPath::arrival() const {
 
 bool BodyPath::leaves() const {
   const double rounding = 1e-3 * radius_, start = first_gap();
-  PlanePoint step{0, 0};
-  if (places_.size() > 1) {
+  Point step{};
+  if (places.size() > 1) {
     double least = 1e300;
-    for (std::size_t i = 0; i < places_.size(); i += 10) least = std::min(least, gap(places_[i].displacement));
-    return least >= start - rounding && gap(places_.back().displacement) > start + rounding;
+    for (std::size_t i = 0; i < places.size(); i += 10) least = std::min(least, gap(places[i].displacement));
+    return least >= start - rounding && gap(places.back().displacement) > start + rounding;
   }
   const auto [velocity, acceleration] = start_of_fall();
   step[1] = (velocity != 0 ? velocity : acceleration) > 0 ? 0.1 * radius_ : 0;
   return step[1] > 0 && gap(step) > start + rounding;
 }
 
-double BodyPath::largest_speed() const {
-  double fastest = 0;
-  for (std::size_t i = 1; i < places_.size(); ++i)
-    if (places_[i].time > places_[i - 1].time)
-      fastest = std::max(fastest, distance(places_[i].displacement, places_[i - 1].displacement) /
-                                      (places_[i].time - places_[i - 1].time));
-  return fastest;
-}
-
 double BodyPath::lowest() const {
   double lowest = 1e300;
-  if (release() && release()->releases(1)) {
+  if (release && release->releases(1)) {
     for (std::size_t i = 0; i < positions_.size(); ++i) lowest = std::min(lowest, positions_[i][1]);
     return lowest;
   }
-  for (const Point& p : body_.outline(body_.initial_placement())) lowest = std::min(lowest, p[1]);
+  for (const Point& p : body.outline(body.initial_placement())) lowest = std::min(lowest, p[1]);
   double down = 0;
-  for (const Place& place : places_) down = std::min(down, place.displacement[1]);
+  for (const Place& place : places) down = std::min(down, place.displacement[1]);
   return lowest + down;
 }
 
 std::pair<double, double> BodyPath::start_of_fall() const {
-  if (!release()) return {0, 0};
+  if (!release) return {0, 0};
   Point velocity{}, spin{};
-  release()->initial_velocity(velocity, spin);
-  const double mass = body_.properties().mass + release()->added_mass(body_.properties()).mass[1];
-  BodyInstant at = body_.initial_instant();
-  at.time = places_.back().time;
+  release->initial_velocity(velocity, spin);
+  const double mass = body.properties().mass + release->added_mass(body.properties()).mass[1];
+  BodyInstant at = body.initial_instant();
+  at.time = places.back().time;
   at.velocity = constant_vector(velocity);
-  const BodyNumber up = release()->load(body_.properties(), at).force[1];
+  const BodyNumber up = release->load(body.properties(), at).force[1];
   return {velocity[1], mass > 0 ? up.v / mass : 0.0};
 }
 
 std::string BodyPath::crossing() const {
   const double inside = -0.01 * radius_;
   for (const Boundary& boundary : boundaries_) {
-    double left = gap_at({0, 0}, boundary.at);
+    double left = gap_at({}, boundary.at);
     if (left < 0) continue;
-    for (std::size_t i = 1; i < places_.size(); ++i) {
-      const PlanePoint &now = places_[i].displacement, &before = places_[i - 1].displacement;
-      const double step = distance(now, before);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      const Point &now = places[i].displacement, &before = places[i - 1].displacement;
+      const double step = length(now - before);
       left -= step;
       if (left > inside || step == 0) continue;
       // a boundary parallel to the path is pushed aside with the soil on both of its sides
@@ -205,9 +172,9 @@ std::string BodyPath::crossing() const {
 }
 
 std::string BodyPath::crossing_below(double below) const {
-  if (!release() || !release()->releases(1)) return "";
-  const PlanePoint& last = places_.back().displacement;
-  const double tip = body_.initial_position()[1] + last[1], middle = body_.initial_position()[0] + last[0];
+  if (!release || !release->releases(1)) return "";
+  const Point& last = places.back().displacement;
+  const double tip = body.initial_position()[1] + last[1], middle = body.initial_position()[0] + last[0];
   for (const Boundary& boundary : boundaries_)
     if (std::abs(boundary.along[0]) > 0.5 && std::abs(boundary.at[0] - middle) < radius_ && boundary.at[1] < tip &&
         boundary.at[1] > tip - below)

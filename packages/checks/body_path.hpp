@@ -6,41 +6,27 @@
 #include <vector>
 
 #include "ale/ghosted_mesh.hpp"
-#include "simulation/model.hpp"
+#include "checks/body_way.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
 
-/// The prescribed path of a body in the plane, as it is known before the run: from its place at the start through the
-/// stages, up to the first in which it is released, and the surfaces and region boundaries that it meets.
-class BodyPath {
+/// The prescribed path of a body in the plane, and the surfaces and region boundaries that it meets.
+class BodyPath : public BodyWay {
  public:
-  struct Place {
-    double time;                  // [s]
-    Vec<double, 2> displacement;  // [m]
-  };
   /// Not collective, but making `mesh` is.
-  BodyPath(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions);
+  BodyPath(BodyWay way, const Model& model, const GhostedMesh& mesh, const Positions& positions);
 
-  const RigidBody& body() const { return body_; }
   /// Largest radius of the contour, or half its width [m].
   double radius() const { return radius_; }
   /// False where no contact can press the body.
   bool touches_anything() const { return !surface_.empty(); }
   /// Distance to the surfaces of its contacts [m] where it starts.
-  double first_gap() const { return gap({0, 0}); }
-  /// Places to which prescribed motion brings the body, the start first.
-  const std::vector<Place>& places() const { return places_; }
-  /// The law of motion of the first stage that releases the body (null: none does), and the time for which it is free
-  /// [s].
-  const ReleasedMotion* release() const { return release_ ? release_->released() : nullptr; }
-  double free_time() const { return free_time_; }
+  double first_gap() const { return gap({}); }
   /// Index of the place at which the body first touches the soil; empty: prescribed motion does not bring it there.
   std::optional<std::size_t> arrival() const;
   /// Whether the prescribed motion only takes the body away from the soil.
   bool leaves() const;
-  /// The largest speed between consecutive places [m/s].
-  double largest_speed() const;
   /// Names of the two regions whose common boundary the body would have to cross; "": none. `below`: distance [m] below
   /// the released body within which such a boundary counts.
   std::string crossing() const;
@@ -61,21 +47,17 @@ class BodyPath {
     Vec<double, 2> at, along;
     std::string name;
   };
-  void follow(const Model& model);
   void find_surface(const Model& model, const GhostedMesh& mesh);
   void find_corner(const GhostedMesh& mesh, const std::string& surface);
   void find_boundaries(const Model& model, const GhostedMesh& mesh);
-  double gap(const Vec<double, 2>& displacement) const;
-  ContourProjection projection_at(const Vec<double, 2>& displacement, const Vec<double, 2>& point) const;
-  double gap_at(const Vec<double, 2>& displacement, const Vec<double, 2>& point) const {
+  double gap(const Point& displacement) const;
+  ContourProjection projection_at(const Point& displacement, const Vec<double, 2>& point) const;
+  double gap_at(const Point& displacement, const Vec<double, 2>& point) const {
     return projection_at(displacement, point).gap;
   }
 
-  const RigidBody& body_;
   const Positions& positions_;
-  std::vector<Place> places_;
-  std::shared_ptr<const BodyMotion> release_;
-  double radius_ = 0, free_time_ = 0, corner_ = 0, reach_ = 0, top_ = -1e300;
+  double radius_ = 0, corner_ = 0, reach_ = 0, top_ = -1e300;
   std::vector<const GhostedMesh::BoundarySide*> under_;
   std::vector<int> surface_;  // nodes of the contacts' surfaces
   std::vector<Boundary> boundaries_;

@@ -12,8 +12,6 @@ namespace mudline {
 
 namespace {
 
-constexpr int parts_of_a_stage = 100;
-
 /// A side of the mesh in its reference coordinates.
 struct SideFigures {
   std::vector<Point> corners;
@@ -64,14 +62,13 @@ StartingExtent::StartingExtent(const RigidBody& body) {
 }
 
 BodySetup::BodySetup(const Setup& setup, const RigidBody& body)
-    : model(setup.model()),
-      body(body),
+    : BodyWay(setup.model(), body, setup.deck()),
+      model(setup.model()),
       entry(setup.deck().section("bodies").section(body.name())),
       dim(body.dimension()),
       up(body.dimension() - 1),
       soil_gravity(setup.gravity_vector()) {
   find_box();
-  follow(setup.deck());
   find_surfaces();
 }
 
@@ -81,29 +78,6 @@ void BodySetup::find_box() {
   shadow = extent.shadow;
   for (int i = 0; i < dim; ++i) size = std::max(size, length_of(i));
   width = shadow.width;
-}
-
-void BodySetup::follow(const Section& deck) {
-  BodyState now;
-  double time = 0, angle = 0;
-  places = {{0, {}, 0}};
-  for (const auto& stage : model.stages()) {
-    const auto law = model.motion_in(*stage, body.name());
-    if (!law || stage->type == Stage::Type::geostatic) continue;
-    const Section own = deck.section("stages").section(stage->name).section("motions");
-    motions.push_back({stage->name, time, stage->duration, law,
-                       own.has_section(body.name()) ? own.section(body.name()) : entry.section("motion")});
-    if (law->released() && !release) release = law->released();
-    const double dt = stage->duration / parts_of_a_stage;
-    if (!release)
-      for (int i = 0; i < parts_of_a_stage; ++i) {
-        const BodyState next = law->advance(now, time + i * dt, time + (i + 1) * dt);
-        angle += length((next.turn * now.turn.inverse()).vector());
-        now = next;
-        places.push_back({time + (i + 1) * dt, now.displacement, angle});
-      }
-    time += stage->duration;
-  }
 }
 
 void BodySetup::find_surfaces() {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "checks/body_way.hpp"
 #include "checks/setup.hpp"
 
 namespace mudline {
@@ -17,23 +17,10 @@ struct StartingExtent {
 
 /// A body before the first step, in the plane or in space: its place, the surfaces that it may touch, and its motions
 /// in the stages.
-struct BodySetup {
+struct BodySetup : BodyWay {
   /// Collective.
   BodySetup(const Setup& setup, const RigidBody& body);
 
-  /// A stage's motion of the body.
-  struct Motion {
-    std::string stage;
-    double begin, duration;  // [s]
-    std::shared_ptr<const BodyMotion> law;
-    Section entry;
-  };
-  /// A place to which prescribed motion brings the body, up to the first stage that releases it.
-  struct Place {
-    double time;         // [s]
-    Point displacement;  // [m]
-    double angle;        // [rad] rotation so far
-  };
   /// The surfaces of the body's contacts, over all ranks.
   struct Surfaces {
     int sides = 0, under = 0;  // number of all sides, and of those whose middle lies below or above the body's box
@@ -47,21 +34,16 @@ struct BodySetup {
   double length_of(int axis) const { return box.high[axis] - box.low[axis]; }
 
   const Model& model;
-  const RigidBody& body;
   Section entry;
   int dim, up;
   Bounds box = Bounds::nothing();  // [m] box of the body at the start
   Shadow shadow;                   // shadow along the vertical axis
   double width = 0, size = 0;      // [m] width of the shadow, and largest extent along any axis
-  std::vector<Motion> motions;
-  std::vector<Place> places;
-  const ReleasedMotion* release = nullptr;  // the first release; null: none
   Surfaces surfaces;
   Point soil_gravity{};  // [m/s2] gravity of the deck's physics; 0: none
 
  private:
   void find_box();
-  void follow(const Section& deck);
   void find_surfaces();
 };
 

@@ -117,7 +117,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), u
     const GhostedMesh mesh(model.mesh(), 1);  // one layer of ghosts shows where regions end
     const Positions positions = mesh.gather(model.mesh().coordinates());
     for (const auto& [name, body] : model.bodies()) {
-      const BodyPath path(model, *body, mesh, positions);
+      const BodyPath path({model, *body, deck}, model, mesh, positions);
       const std::string crossed = path.crossing();
       if (!crossed.empty())
         deck.section("bodies").section(name).fail("its prescribed path crosses the boundary between the regions " +
@@ -205,7 +205,7 @@ void Plausibility::tell_mesh() {
 }
 
 void Plausibility::tell_body(const BodyPath& path) {
-  const RigidBody& body = path.body();
+  const RigidBody& body = path.body;
   const BodyProperties& properties = body.properties();
   const std::string name = "body '" + body.name() + "'";
   const char* const per = properties.geometry == Geometry::plane_strain ? " per metre" : "";
@@ -215,7 +215,7 @@ void Plausibility::tell_body(const BodyPath& path) {
   if (properties.mass > 0 && properties.volume > 0) {
     const double density = properties.mass / properties.volume, lost = 1000.0 * properties.volume;
     line += ", " + readable(density, "kg/m3") + ", weight in water " + readable(9.81 * (properties.mass - lost), "N");
-    if (path.release()) usual_.judge("body density", density, name + ": mass over volume");
+    if (path.release) usual_.judge("body density", density, name + ": mass over volume");
   }
   if (path.touches_anything()) {
     const double gap = path.first_gap(), rounding = 1e-9 * path.radius();
@@ -235,16 +235,16 @@ void Plausibility::doubt_body(const BodyPath& path, const std::string& name) {
     return;
   }
   const auto arrival = path.arrival();
-  if (!arrival && !path.release() && path.largest_speed() > 0) usual_.tell(name + " never reaches the soil");
+  if (!arrival && !path.release && path.largest_speed() > 0) usual_.tell(name + " never reaches the soil");
   double speed = path.largest_speed();
-  if (path.release() && (!arrival || path.places().size() == 1)) {
+  if (path.release && (!arrival || path.places.size() == 1)) {
     const auto [velocity, acceleration] = path.start_of_fall();
     const double square = velocity * velocity - 2 * acceleration * gap;
     speed = std::sqrt(std::max(0.0, square));
     const double time = velocity != 0 || acceleration < 0 ? 2 * gap / std::max(1e-300, std::abs(velocity) + speed) : 0;
-    if (gap > 0 && time > path.free_time())
+    if (gap > 0 && time > path.free_time)
       usual_.tell(name + " needs " + readable(time, "s", 3) + " to reach the soil, and is free for " +
-                  readable(path.free_time(), "s", 3));
+                  readable(path.free_time, "s", 3));
   }
   if (speed > 0) {
     const bool prescribed = speed == path.largest_speed();
@@ -259,7 +259,7 @@ void Plausibility::doubt_body(const BodyPath& path, const std::string& name) {
 }
 
 void Plausibility::doubt_shape(const BodyPath& path, const std::string& name) {
-  const RigidBody& body = path.body();
+  const RigidBody& body = path.body;
   if (body.of_revolution() && body.properties().geometry == Geometry::plane_strain)
     usual_.tell(name +
                 " is a body of revolution by its contour, but the mesh is in plane strain, where it is a wedge "
@@ -268,7 +268,7 @@ void Plausibility::doubt_shape(const BodyPath& path, const std::string& name) {
     usual_.judge("corner", path.surface_corner() / path.radius(),
                  name + ": the mesh has a corner of the surface at " + readable(path.surface_corner(), "m") +
                      ", the body's radius is " + readable(path.radius(), "m") + "; their ratio");
-  if (path.release() || path.largest_speed() > 0)
+  if (path.release || path.largest_speed() > 0)
     usual_.judge("sides under a body", static_cast<double>(path.sides_under().size()),
                  name + ": the number of sides of the surface that it covers");
 }
@@ -299,7 +299,7 @@ void Plausibility::doubt_hole(const BodyPath& path, const Positions& positions, 
     if (!held.known() || water <= held.high) continue;
     usual_.judge(
         "drained hole", depth / (2 * path.radius()),
-        "body '" + path.body().name() + "': condition '" + condition->name + "' holds " + readable(held.high, "Pa") +
+        "body '" + path.body.name() + "': condition '" + condition->name + "' holds " + readable(held.high, "Pa") +
             " on the wall of the hole that it opens too, where down to " + readable(depth, "m", 3) +
             " water at rest has " + readable(water, "Pa") +
             ": count from water at rest ('pore pressure' = excess in the physics biot); the hole's depth, in widths,");
