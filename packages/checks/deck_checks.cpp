@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "checks/setup.hpp"
 #include "checks/supports.hpp"
@@ -16,7 +17,7 @@ namespace mudline {
 
 namespace {
 
-/// Refuses conditions that prescribe different values of one unknown in a stage.
+/// Refuses conditions that prescribe different values of one unknown in a stage, or a value that is no number.
 void check_contradictions(const Model& model, const Section& deck) {
   const int n = model.space().dofs()->num_overlap_dofs();
   double time = 0;
@@ -32,6 +33,11 @@ void check_contradictions(const Model& model, const Section& deck) {
         model.conditions()[c]->prescribe(t_old, t_end, model.store().committed(), mine);
         for (int i = 0; i < n; ++i) {
           if (!mine.given(i)) continue;
+          if (!std::isfinite(mine.value(i)) && problem.empty()) {
+            second = model.conditions()[c]->name;
+            problem = "its value is not finite" + told(t_end, " at t = %.6g s") + " in stage '" + stage->name +
+                      "'; allowed: finite numbers";
+          }
           const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
           if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
             const std::string& field = model.space().field(model.space().dofs()->field_of(i)).name;
@@ -89,6 +95,26 @@ void check_motions(const Model& model, const Section& deck) {
         section.fail("body '" + name +
                      "' is released in this quasi-static stage, but no contact that acts in it could hold the body; "
                      "name the motion 'held'");
+    }
+  }
+}
+
+/// Refuses two contacts of one stage that press the same surface with the same body or surface: the soil would feel
+/// twice the traction.
+void check_pairs(const Model& model, const Section& deck) {
+  for (const auto& stage : model.stages()) {
+    std::map<std::tuple<std::string, std::string, const RigidBody*>, std::string> taken;
+    for (const auto& [name, contact] : model.contacts()) {
+      if (std::find(stage->contacts.begin(), stage->contacts.end(), name) == stage->contacts.end()) continue;
+      const ContactPartners partners = contact->partners();
+      const auto [before, first] = taken.insert({{partners.surface, partners.opposite, partners.body}, name});
+      if (first) continue;
+      const std::string with = partners.body ? "body '" + partners.body->name() : "surface '" + partners.opposite;
+      deck.section("contacts")
+          .fail("presses surface '" + partners.surface + "' with " + with + "' in stage '" + stage->name +
+                    "', as contact '" + before->second +
+                    "' does: the traction would count twice; allowed: one of them in a stage",
+                name);
     }
   }
 }
@@ -325,6 +351,7 @@ void check_error_estimate(const Model& model, const OutputSettings& output, cons
 void check_deck(Model& model, const Section& deck) {
   check_contradictions(model, deck);
   check_motions(model, deck);
+  check_pairs(model, deck);
   check_in_situ(model, deck);
   if (model.space().find("displacement") >= 0) {
     const MeshParts parts = mesh_parts(model.mesh());

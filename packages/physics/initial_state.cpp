@@ -142,6 +142,18 @@ std::string beyond_strength(const SoilMaterial& material, double k0, double vert
          told(vertical, "' under sigma'_v = %.4g Pa") + " allows between active and passive";
 }
 
+/// Whether the law or the void ratio starts otherwise from another overconsolidation ratio.
+bool follows_overconsolidation(const SoilMaterial& material, const InitialPoint& point) {
+  InitialPoint other = point;
+  other.overconsolidation_ratio *= 2;
+  const auto size = static_cast<std::size_t>(material.skeleton->state_size());
+  std::vector<double> state(size), other_state(size);
+  if (!material.find_void_ratio(other).empty() || !start_guarded(*material.skeleton, point, state.data()).empty() ||
+      !start_guarded(*material.skeleton, other, other_state.data()).empty())
+    return true;
+  return other.void_ratio != point.void_ratio || other_state != state;
+}
+
 /// Writes the start of a point into the arrays of its block, and starts its law; returns "" or the law's problem.
 std::string write_point(const SoilBlock& block, int row, const SoilMaterial& material, const InitialPoint& point,
                         const State& state) {
@@ -295,7 +307,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   State& state = store.committed();
   const bool from_strength = has_strength_ || has_strength_ratio_;
   std::string problem;
-  bool any_strength = false;
+  bool any_strength = false, follows = has_k0_angle_ || !(has_ocr_ || has_preoverburden_);
   for (const SoilBlock& b : soil.blocks) {
     const SoilPoints points(soil, b, state);
     const auto& numbers = soil.space->mesh().blocks()[b.block].global_ids;
@@ -311,6 +323,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         std::string reason = set_stress(soil, column, material, point);
         if (reason.empty()) reason = material.find_void_ratio(point);
         if (reason.empty()) reason = write_point(b, row, material, point, state);
+        follows = follows || !reason.empty() || follows_overconsolidation(material, point);
         if (reason.empty() && from_strength) any_strength = any_strength || points.soil_state(row).undrained_strength;
         if (!reason.empty() && problem.empty())
           problem = "material '" + material.name + "' cannot start at " +
@@ -322,6 +335,11 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
     if (!problem.empty()) section.fail(problem);
   });
   if (from_strength) check_strength(soil, any_strength, section);
+  if (!on_any_rank(*soil.space->dofs()->comm(), follows))
+    section.fail(
+        "no law of this model follows it, and without a 'K0 friction angle [deg]' the earth pressure at rest "
+        "does not either",
+        has_ocr_ ? "overconsolidation ratio" : "preoverburden pressure");
 }
 
 }  // namespace mudline

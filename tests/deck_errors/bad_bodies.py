@@ -34,7 +34,12 @@ FALL = (MOTION, motion(FREE))
 QUASI_STATIC = [('value="dynamic"', 'value="quasi-static"'), (whole("integrator"), "")]
 INTERVAL = parameter("initial", "double", "2.5e-4")
 
+BALL = whole("ball on clay")
+
 DECKS = [
+    Wrong("two contacts of one pair", (BALL, BALL + BALL.replace("ball on clay", "twin")),
+          "contacts/twin: presses surface 'top' with body 'ball' in stage 'push', as contact 'ball on clay' does: the "
+          "traction would count twice; allowed: one of them in a stage", at=section("twin"), ranks=BOTH),
     Wrong("fall without mass", FALL, "bodies/ball/motion/type: a free body needs a 'mass' greater than 0", at=FREE, ranks=BOTH),
     Wrong("force without mass", (MOTION, motion(FORCE)),
           "stages/push: body 'ball' is released in this dynamic stage: it needs a 'mass' greater than 0", at=section("push"), ranks=BOTH),

@@ -110,6 +110,9 @@ def with_reduction(name, message, at, entries=LARGEST, kind="quasi-static", step
 
 ELASTIC = [("type", "string", "linear elastic"), ("Young's modulus", "double", "1e7"),
            ("Poisson's ratio", "double", "0.3")]
+ELASTIC_LAW = section("skeleton") + "".join(parameter(*entry) for entry in ELASTIC) + "</ParameterList>\n"
+NOWHERE = section("nowhere") + parameter("type", "string", "displacement") + parameter("set", "string", "right") + \
+    parameter("y", "string", "log(t - 1)") + "</ParameterList>\n"
 CONE = [("type", "string", "mohr-coulomb"), *ELASTIC[1:], ("cohesion", "double", "5e3"),
         ("friction angle [deg]", "double", "25")]
 LAWS_OF_STRENGTH = "mohr-coulomb, drucker-prager, tresca, von mises"
@@ -513,6 +516,12 @@ DECKS = [
     Wrong("underconsolidated", ('value="1.5"', 'value="0.5"'),
           "physics/ground/initial state: material 'clay' cannot start at (0.0112702, 0.0112702): the overconsolidation ratio must be at "
           "least 1; it is 0.5", at=section("initial state")),
+    Wrong("overconsolidation that nothing follows", (SKELETON, ELASTIC_LAW),
+          "physics/ground/initial state/overconsolidation ratio: no law of this model follows it, and without a 'K0 friction angle "
+          "[deg]' the earth pressure at rest does not either", at=parameter("overconsolidation ratio", "double", "1.5"), ranks=BOTH),
+    Wrong("a value that is no number at some time", (section("far side"), NOWHERE + section("far side")),
+          "boundary conditions/nowhere: its value is not finite at t = 0 s in stage 'geostatic'; allowed: finite numbers",
+          at=section("nowhere"), ranks=BOTH),
     Wrong("geostatic without gravity", without("      " + parameter("gravity", "Array(double)", "{0.0, -9.81}") + "\n"),
           "physics/ground/initial state/type: a geostatic start needs gravity: give the physics a 'gravity'",
           at=parameter("type", "string", "geostatic")),

@@ -238,7 +238,7 @@ MISTAKES = [
     ("elastic", {START + "K0": 50.0}, "K0"),
     ("elastic", {START + "K0": 0.1}, "K0"),
     ("clay", {START + "K0": None, START + "K0 friction angle [deg]": 0.44}, "K0 friction angle"),
-    ("elastic", {START + "overconsolidation ratio": 0.5}, "overconsolidation"),
+    ("elastic", {START + "K0": None, START + "K0 friction angle [deg]": 30.0, START + "overconsolidation ratio": 0.5}, "overconsolidation"),
     ("elastic", {START + "water level": -3.0, B + "drained/value": -29430.0}, "suction"),
     ("elastic", {M + "retention": {"type": "van genuchten", "reference suction": 10.0}}, "reference suction"),
     ("elastic", {START + "water level": -3.0, M + "retention": {"type": "exponential", "reference suction": 500.0}},

@@ -19,16 +19,12 @@ void Drainage::parameters(Parameters& p) {
 }
 
 void Drainage::check(const Section& section, bool pore_pressure) const {
-  const char* const needs_field = " needs a model with the field 'pore pressure'; allowed here: sealed, drained";
-  if (!has_film())
-    WaterFilm::refuse(section);
-  else if (!pore_pressure)
-    section.fail(std::string("film") + needs_field, "drainage");
-  if (!pore_pressure && section.has_parameter("sealing gap"))
-    section.fail("has a meaning only in a model with the field 'pore pressure'", "sealing gap");
+  if (!has_film()) WaterFilm::refuse(section);
+  for (const char* entry : {"drainage", "sealing gap"})
+    if (!pore_pressure && section.has_parameter(entry))
+      section.fail("has a meaning only in a model with the field 'pore pressure'", entry);
   if (leaks()) {
     if (!(conductance_ > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
-    if (!pore_pressure) section.fail(std::string("leaky") + needs_field, "drainage");
     return;
   }
   if (kind_ == Kind::drained && section.has_parameter("sealing gap"))
