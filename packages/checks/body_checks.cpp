@@ -304,9 +304,9 @@ void depth(const BodySetup& of, const Judge& judge) {
   for (const auto& place : of.places) down = std::min(down, place.displacement[of.up]);
   const double top = of.surfaces.box.high[of.up], bottom = of.model.mesh().bounds().low[of.up];
   const double below = top - (of.box.low[of.up] + down);
-  if (down < 0)
+  if (down < 0 && top > bottom)  // a surface at the mesh's bottom looks away from the body, which 'facing' tells
     judge(
-        below / std::max(top - bottom, 1e-300),
+        below / (top - bottom),
         of.called() + ": the depth that its prescribed path reaches, " + readable(below, "m", 3) + ", over the mesh's",
         "velocity times duration is its displacement: look at units (mm/s, minutes), or make the mesh deeper");
 }

@@ -66,6 +66,49 @@ const std::map<std::string, Unit>& units() {
   return all;
 }
 
+/// What is written for a unit of the map above, or how much one of it is.
+const std::map<std::string, std::string>& foreign_units() {
+  static const std::map<std::string, std::string> all{{"tonne", "t"},
+                                                      {"tonnes", "t"},
+                                                      {"sec", "s"},
+                                                      {"second", "s"},
+                                                      {"seconds", "s"},
+                                                      {"mins", "min"},
+                                                      {"minute", "min"},
+                                                      {"minutes", "min"},
+                                                      {"hr", "h"},
+                                                      {"hrs", "h"},
+                                                      {"yr", "year"},
+                                                      {"yrs", "years"},
+                                                      {"metre", "m"},
+                                                      {"metres", "m"},
+                                                      {"meter", "m"},
+                                                      {"meters", "m"},
+                                                      {"micron", "um"},
+                                                      {"microns", "um"},
+                                                      {"degree", "deg"},
+                                                      {"degrees", "deg"},
+                                                      {"degF", "degC"},
+                                                      {"psi", "6.894757 kPa"},
+                                                      {"psf", "47.88026 Pa"},
+                                                      {"ksf", "47.88026 kPa"},
+                                                      {"tsf", "95.76052 kPa"},
+                                                      {"ft", "0.3048 m"},
+                                                      {"feet", "0.3048 m"},
+                                                      {"in", "25.4 mm"},
+                                                      {"inch", "25.4 mm"},
+                                                      {"inches", "25.4 mm"},
+                                                      {"lb", "0.4535924 kg"},
+                                                      {"lbs", "0.4535924 kg"},
+                                                      {"lbf", "4.448222 N"},
+                                                      {"kip", "4.448222 kN"},
+                                                      {"kips", "4.448222 kN"},
+                                                      {"kgf", "9.80665 N"},
+                                                      {"pcf", "157.0875 N/m3"},
+                                                      {"atm", "101.325 kPa"}};
+  return all;
+}
+
 /// Reads a product of units from the front of a text.
 class Product {
  public:
@@ -173,6 +216,15 @@ std::string unknown_unit(const std::string& text) {
   if (end == 0 || end == whole.size() || parse_quantity(whole)) return "";
   const std::string rest = trim(whole.substr(end));
   if (std::isalpha(static_cast<unsigned char>(rest[0])) == 0) return "";
+  std::size_t end_of_word = 0;
+  while (end_of_word < rest.size() && std::isalpha(static_cast<unsigned char>(rest[end_of_word])) != 0) ++end_of_word;
+  const auto foreign = foreign_units().find(rest.substr(0, end_of_word));
+  if (foreign != foreign_units().end()) {
+    const auto& [name, meant] = *foreign;
+    const bool number = std::isdigit(static_cast<unsigned char>(meant[0])) != 0;
+    return "; '" + name + "' is no unit" +
+           (number ? ": 1 " + name + " is " + meant : " (did you mean '" + meant + "'?)");
+  }
   std::vector<std::string> names;
   for (const auto& entry : units()) names.push_back(entry.first);
   const std::string near = nearest(rest, names);

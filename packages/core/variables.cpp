@@ -210,7 +210,12 @@ Variables::Value Variables::value(const Formula& formula) const {
   try {
     return {make_entry(formula.type, formula.text)};
   } catch (const InputError& error) {  // it says what is expected instead of what expressions may hold
-    throw InputError(error.what() + why_no_number(formula.text) + hint_);
+    const std::string why = why_no_number(formula.text);
+    const std::vector<std::string> words = words_of(formula.text);
+    const bool names_one =
+        why.empty() && hint_.empty() && formula.type != "bool" && !words.empty() && !parse_number(trim(formula.text));
+    throw InputError(error.what() + why + hint_ +
+                     (names_one ? "; the deck has no 'variables' that define '" + words.front() + "'" : ""));
   }
 }
 

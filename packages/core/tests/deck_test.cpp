@@ -99,9 +99,16 @@ TEST(Deck, IncompleteEntries) {
 }
 
 TEST(Deck, ValuesMustFitTheDeclaredType) {
-  EXPECT_EQ(error_of(parameter("double", "abc")), "deck.xml:3: mesh/size: expected a number (double), given 'abc'");
+  EXPECT_EQ(error_of(parameter("double", "abc")),
+            "deck.xml:3: mesh/size: expected a number (double), given 'abc'; the deck has no 'variables' "
+            "that define 'abc'");
   EXPECT_EQ(error_of(parameter("double", "1.5 metres")),
-            "deck.xml:3: mesh/size: expected a number (double), given '1.5 metres'; 'metres' is no unit; "
+            "deck.xml:3: mesh/size: expected a number (double), given '1.5 metres'; 'metres' is no unit (did you mean "
+            "'m'?)");
+  EXPECT_EQ(error_of(parameter("double", "1.5 ft/day")),
+            "deck.xml:3: mesh/size: expected a number (double), given '1.5 ft/day'; 'ft' is no unit: 1 ft is 0.3048 m");
+  EXPECT_EQ(error_of(parameter("double", "1.5 furlongs")),
+            "deck.xml:3: mesh/size: expected a number (double), given '1.5 furlongs'; 'furlongs' is no unit; "
             "allowed: %, GPa, J, K, MJ, MN, MPa, Mg, N, Pa, W, a, bar, cm, d, day, days, deg, degC, g, h, hour, hours, "
             "kJ, kN, kPa, kW, kg, km, m, min, mm, month, months, ms, rad, s, t, um, us, week, weeks, year, years");
   EXPECT_EQ(error_of(parameter("double", "nan")), "deck.xml:3: mesh/size: expected a finite number, given 'nan'");
@@ -110,8 +117,9 @@ TEST(Deck, ValuesMustFitTheDeclaredType) {
   EXPECT_EQ(error_of(parameter("bool", "yes")), "deck.xml:3: mesh/size: expected true or false (bool), given 'yes'");
   EXPECT_EQ(error_of(parameter("Array(double)", "1, 2")),
             "deck.xml:3: mesh/size: expected an array of numbers (Array(double)) such as {1, 2}, given '1, 2'");
-  EXPECT_EQ(error_of(parameter("Array(double)", "{1, b}")),
-            "deck.xml:3: mesh/size: expected a number in the array, given 'b'");
+  EXPECT_EQ(
+      error_of(parameter("Array(double)", "{1, b}")),
+      "deck.xml:3: mesh/size: expected a number in the array, given 'b'; the deck has no 'variables' that define 'b'");
   EXPECT_EQ(error_of(parameter("Array(int)", "{1, 2.5}")),
             "deck.xml:3: mesh/size: expected an integer in the array, given '2.5'");
   EXPECT_EQ(error_of(parameter("Array(string)", "a")),
@@ -154,13 +162,13 @@ TEST(DeckXml, MessagesStayOneLine) {
   Deck deck;
   EXPECT_EQ(input_error([&] { deck.overlay("<ParameterList>\nlost\n  text\n</ParameterList>", "deck.xml"); }),
             "deck.xml:2: unexpected text 'lost text'");
-  EXPECT_EQ(input_error([&] {
-              deck.overlay(
-                  "<ParameterList><Parameter name=\"two\nlines\" type=\"int\" value=\"a\nb\"/></ParameterList>",
-                  "deck.xml");
-              deck.root();
-            }),
-            "deck.xml:1: two lines: expected an integer (int), given 'a b'");
+  EXPECT_EQ(
+      input_error([&] {
+        deck.overlay("<ParameterList><Parameter name=\"two\nlines\" type=\"int\" value=\"a\nb\"/></ParameterList>",
+                     "deck.xml");
+        deck.root();
+      }),
+      "deck.xml:1: two lines: expected an integer (int), given 'a b'; the deck has no 'variables' that define 'a'");
 }
 
 TEST_F(Overlay, ReplacesSingleParametersAndMergesSections) {
