@@ -1,6 +1,9 @@
 #include "algebra/joined_nodes.hpp"
 
 #include <Teuchos_DefaultSerialComm.hpp>
+#include <Teuchos_LAPACK.hpp>
+
+#include <algorithm>
 
 #include "algebra/tpetra_compat.hpp"
 
@@ -8,30 +11,32 @@ namespace mudline {
 
 namespace {
 
-/// The block of the joined nodes as a matrix of this rank alone.
-RCP<CrsMatrix> extract(const NodeMatrix& matrix, const std::vector<int>& nodes) {
+constexpr int largest_dense = 450;  // rows
+
+/// Calls action(row, column, value) for the entries of the block of the nodes, row by row.
+template <class Action>
+void for_each_entry(const NodeMatrix& matrix, const std::vector<int>& nodes, Action&& action) {
   const int n = matrix.components();
   std::vector<int> place(matrix.nodes(), -1);
   for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = static_cast<int>(k);
-  const auto place_of = [&](int column) { return column < matrix.nodes() ? place[column] : -1; };
-  std::vector<std::size_t> counts;
-  for (const int node : nodes) {
-    std::size_t blocks = 0;
-    matrix.for_each_block(node, [&](int column, const float*) { blocks += place_of(column) >= 0; });
-    counts.insert(counts.end(), n, n * blocks);
-  }
-  const RCP<const Map> map = make_dense_map(n * nodes.size(), rcp(new Teuchos::SerialComm<int>));
-  const auto block = rcp(new CrsMatrix(map, Teuchos::arrayViewFromVector(counts)));
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    matrix.for_each_block(nodes[k], [&](int column, const float* values) {
-      if (place_of(column) < 0) return;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          const double value = values[n * i + j];
-          const GlobalOrdinal to = n * static_cast<GlobalOrdinal>(place_of(column)) + j;
-          block->insertGlobalValues(static_cast<GlobalOrdinal>(n * k) + i, 1, &value, &to);
-        }
-    });
+    for (int i = 0; i < n; ++i)
+      matrix.for_each_block(nodes[k], [&](int column, const float* values) {
+        if (column >= matrix.nodes() || place[column] < 0) return;
+        for (int j = 0; j < n; ++j) action(n * static_cast<int>(k) + i, n * place[column] + j, values[n * i + j]);
+      });
+}
+
+/// The block of the joined nodes as a matrix of this rank alone.
+RCP<CrsMatrix> extract(const NodeMatrix& matrix, const std::vector<int>& nodes) {
+  std::vector<std::size_t> counts(matrix.components() * nodes.size(), 0);
+  for_each_entry(matrix, nodes, [&](int row, int, double) { ++counts[row]; });
+  const RCP<const Map> map = make_dense_map(counts.size(), rcp(new Teuchos::SerialComm<int>));
+  const auto block = rcp(new CrsMatrix(map, Teuchos::arrayViewFromVector(counts)));
+  for_each_entry(matrix, nodes, [&](int row, int column, double value) {
+    const GlobalOrdinal to = column;
+    block->insertGlobalValues(row, 1, &value, &to);
+  });
   block->fillComplete();
   return block;
 }
@@ -42,29 +47,52 @@ JoinedNodes::JoinedNodes(const NodeMatrix& matrix, const std::vector<char>& join
   for (std::size_t node = 0; node < joined.size(); ++node)
     if (joined[node]) nodes_.push_back(static_cast<int>(node));
   if (nodes_.empty()) return;
-  const RCP<CrsMatrix> block = extract(matrix, nodes_);
-  std::vector<GlobalOrdinal> node_of_row;
-  for (std::size_t row = 0; row < components_ * nodes_.size(); ++row)
-    node_of_row.push_back(static_cast<GlobalOrdinal>(row / components_));
-  factor_ = std::make_unique<MumpsFactor>(*block, true, node_of_row);
-  if (factor_->analysis().empty() && factor_->factor(*block).empty()) {
-    right_ = rcp(new MultiVector(block->getRowMap(), 1));
-    solution_ = rcp(new MultiVector(block->getRowMap(), 1));
-  } else {
-    nodes_.clear();
-    factor_.reset();
-  }
+  solution_.resize(components_ * nodes_.size());
+  const bool small = static_cast<int>(solution_.size()) <= largest_dense;
+  if (!(small ? factor_dense(matrix) : factor_sparse(matrix))) nodes_.clear();
 }
 
-const MultiVector& JoinedNodes::solve(const MultiVector& x) const {
+bool JoinedNodes::factor_dense(const NodeMatrix& matrix) {
+  const int rows = static_cast<int>(solution_.size());
+  dense_.assign(static_cast<std::size_t>(rows) * rows, 0);
+  pivots_.resize(rows);
+  for_each_entry(matrix, nodes_, [&](int row, int column, double value) {
+    dense_[static_cast<std::size_t>(rows) * column + row] = value;
+  });
+  int problem = 0;
+  Teuchos::LAPACK<int, double>().GETRF(rows, rows, dense_.data(), rows, pivots_.data(), &problem);
+  return problem == 0;
+}
+
+bool JoinedNodes::factor_sparse(const NodeMatrix& matrix) {
+  const RCP<CrsMatrix> block = extract(matrix, nodes_);
+  std::vector<GlobalOrdinal> node_of_row;
+  for (std::size_t row = 0; row < solution_.size(); ++row)
+    node_of_row.push_back(static_cast<GlobalOrdinal>(row / components_));
+  sparse_ = std::make_unique<MumpsFactor>(*block, true, node_of_row);
+  if (!sparse_->analysis().empty() || !sparse_->factor(*block).empty()) return false;
+  right_ = rcp(new MultiVector(block->getRowMap(), 1));
+  left_ = rcp(new MultiVector(block->getRowMap(), 1));
+  return true;
+}
+
+const std::vector<double>& JoinedNodes::solve(const MultiVector& x) const {
   {
     const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto to = right_->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t k = 0; k < nodes_.size(); ++k)
-      for (int i = 0; i < components_; ++i) to(components_ * k + i, 0) = from(components_ * nodes_[k] + i, 0);
+      for (int i = 0; i < components_; ++i) solution_[components_ * k + i] = from(components_ * nodes_[k] + i, 0);
   }
-  factor_->solve(*right_, *solution_);
-  return *solution_;
+  const int rows = static_cast<int>(solution_.size());
+  if (!dense_.empty()) {
+    int problem = 0;
+    Teuchos::LAPACK<int, double>().GETRS('N', rows, 1, dense_.data(), rows, pivots_.data(), solution_.data(), rows,
+                                         &problem);
+    return solution_;
+  }
+  std::copy(solution_.begin(), solution_.end(), right_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
+  sparse_->solve(*right_, *left_);
+  std::copy_n(left_->getLocalViewHost(Tpetra::Access::ReadOnly).data(), rows, solution_.begin());
+  return solution_;
 }
 
 }  // namespace mudline

@@ -8,7 +8,8 @@
 
 namespace mudline {
 
-/// The inverse of the block of a matrix that couples some nodes of this rank with each other.
+/// The inverse of the block of a matrix that couples some nodes of this rank with each other: dense factors by LAPACK
+/// where the block is small, for MUMPS takes longer to begin than to factor it; sparse ones otherwise.
 class JoinedNodes {
  public:
   /// `joined`: by owned node; may be empty.
@@ -18,13 +19,19 @@ class JoinedNodes {
   const std::vector<int>& nodes() const { return nodes_; }
   /// Applies the inverse to the values of x (on the matrix' rows) at these nodes; the result lists the nodes one after
   /// the other.
-  const MultiVector& solve(const MultiVector& x) const;
+  const std::vector<double>& solve(const MultiVector& x) const;
 
  private:
+  bool factor_dense(const NodeMatrix& matrix);
+  bool factor_sparse(const NodeMatrix& matrix);
+
   std::vector<int> nodes_;
   int components_;
-  std::unique_ptr<MumpsFactor> factor_;
-  mutable RCP<MultiVector> right_, solution_;
+  std::vector<double> dense_;  // LU factors, column by column; empty: the sparse ones are there
+  std::vector<int> pivots_;
+  std::unique_ptr<MumpsFactor> sparse_;
+  mutable RCP<MultiVector> right_, left_;  // of the sparse factors
+  mutable std::vector<double> solution_;
 };
 
 }  // namespace mudline

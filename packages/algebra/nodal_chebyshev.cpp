@@ -99,10 +99,9 @@ void NodalChebyshev::add_inverse(double factor, const MultiVector& x, double sha
       to(first + i, 0) = (share == 0 ? 0.0 : share * to(first + i, 0)) + factor * sum;
     }
   if (joined_.nodes().empty()) return;
-  const auto solution = joined_.solve(x).getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::size_t k = 0;
+  auto solution = joined_.solve(x).begin();
   for (const int node : joined_.nodes())
-    for (int i = 0; i < n; ++i) to(n * node + i, 0) += factor * solution(k++, 0);
+    for (int i = 0; i < n; ++i) to(n * node + i, 0) += factor * *solution++;
 }
 
 void NodalChebyshev::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {

@@ -288,10 +288,31 @@ std::string InitialState::set_stress(const Soil& soil, const std::optional<Geost
       material, strength_(0, point.position), [](InitialPoint&) { return ""; }, point);
 }
 
-void InitialState::check_strength(const Soil& soil, bool found, const Section& section) const {
-  if (!on_any_rank(*soil.space->dofs()->comm(), found))
+/// What the points of this rank showed when they started.
+struct InitialState::Found {
+  bool strength = false;          // a law has an undrained strength
+  bool overconsolidated = false;  // an overconsolidation ratio is not 1
+  bool follows = false;           // and the law or the void ratio starts otherwise for it
+
+  void add(const SoilMaterial& material, const InitialPoint& point, const SoilState& state) {
+    strength = strength || state.undrained_strength;
+    if (point.overconsolidation_ratio == 1) return;
+    overconsolidated = true;
+    follows = follows || follows_overconsolidation(material, point);
+  }
+};
+
+void InitialState::check_found(const Soil& soil, const Found& found, const Section& section) const {
+  const auto any = [&](bool here) { return on_any_rank(*soil.space->dofs()->comm(), here); };
+  if ((has_strength_ || has_strength_ratio_) && !any(found.strength))
     section.fail("no soil of this model has a law with an undrained strength",
                  has_strength_ ? "undrained strength" : "undrained strength ratio");
+  if (has_k0_angle_ || (!has_ocr_ && !has_preoverburden_)) return;
+  if (any(found.overconsolidated) && !any(found.follows))
+    section.fail(
+        "no law of this model follows it, and without a 'K0 friction angle [deg]' the earth pressure at rest does not "
+        "either",
+        has_ocr_ ? "overconsolidation ratio" : "preoverburden pressure");
 }
 
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
@@ -305,9 +326,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (column) set_pressure(soil, store, [&](double y) { return column->pore_pressure(y); });
   if (!column && kind_ != Kind::stress_free) set_pressure(soil, store, [&](double) { return pressure_; });
   State& state = store.committed();
-  const bool from_strength = has_strength_ || has_strength_ratio_;
   std::string problem;
-  bool any_strength = false, follows = has_k0_angle_ || !(has_ocr_ || has_preoverburden_);
+  Found found;
   for (const SoilBlock& b : soil.blocks) {
     const SoilPoints points(soil, b, state);
     const auto& numbers = soil.space->mesh().blocks()[b.block].global_ids;
@@ -323,8 +343,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         std::string reason = set_stress(soil, column, material, point);
         if (reason.empty()) reason = material.find_void_ratio(point);
         if (reason.empty()) reason = write_point(b, row, material, point, state);
-        follows = follows || !reason.empty() || follows_overconsolidation(material, point);
-        if (reason.empty() && from_strength) any_strength = any_strength || points.soil_state(row).undrained_strength;
+        if (reason.empty()) found.add(material, point, points.soil_state(row));
         if (!reason.empty() && problem.empty())
           problem = "material '" + material.name + "' cannot start at " +
                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
@@ -334,12 +353,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   agree(*soil.space->dofs()->comm(), [&] {
     if (!problem.empty()) section.fail(problem);
   });
-  if (from_strength) check_strength(soil, any_strength, section);
-  if (!on_any_rank(*soil.space->dofs()->comm(), follows))
-    section.fail(
-        "no law of this model follows it, and without a 'K0 friction angle [deg]' the earth pressure at rest "
-        "does not either",
-        has_ocr_ ? "overconsolidation ratio" : "preoverburden pressure");
+  check_found(soil, found, section);
 }
 
 }  // namespace mudline

@@ -27,8 +27,10 @@ class InitialState {
   void check_laws(const Soil& soil, const Section& section) const;
   /// InputError where the start does not suit the model; `gravity` [m/s2] is its size.
   void check_model(const Soil& soil, double gravity, const Section& section) const;
-  /// InputError of a start from a strength where no rank has found soil with one. Collective.
-  void check_strength(const Soil& soil, bool found, const Section& section) const;
+  struct Found;
+  /// InputError of a start from a strength where no rank has found soil with one, and of overconsolidation that nothing
+  /// follows. Collective.
+  void check_found(const Soil& soil, const Found& found, const Section& section) const;
   /// Stresses and pore pressures over height, of starts that have them.
   std::optional<GeostaticColumn> ground(const Soil& soil, double gravity, const Section& section) const;
   /// Sets overconsolidation ratio and stress of a point; returns "" or the problem.
