@@ -107,6 +107,9 @@ TEST(Deck, ValuesMustFitTheDeclaredType) {
             "'m'?)");
   EXPECT_EQ(error_of(parameter("double", "1.5 ft/day")),
             "deck.xml:3: mesh/size: expected a number (double), given '1.5 ft/day'; 'ft' is no unit: 1 ft is 0.3048 m");
+  EXPECT_EQ(error_of(parameter("double", "60 degF")),
+            "deck.xml:3: mesh/size: expected a number (double), given '60 degF'; 'degF' is no unit: 1 degF is 5/9 K, "
+            "and 32 degF are 0 degC");
   EXPECT_EQ(error_of(parameter("double", "1.5 furlongs")),
             "deck.xml:3: mesh/size: expected a number (double), given '1.5 furlongs'; 'furlongs' is no unit; "
             "allowed: %, GPa, J, K, MJ, MN, MPa, Mg, N, Pa, W, a, bar, cm, d, day, days, deg, degC, g, h, hour, hours, "
