@@ -1,5 +1,6 @@
 #include "checks/doubts.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace mudline {
@@ -26,7 +27,8 @@ const Usual& Doubts::find(const std::string& name) const {
 
 bool Doubts::usual(const std::string& name, double value) const {
   const auto& range = find(name).range;
-  return value >= range[0] && value <= range[1];
+  constexpr double rounding = 1e-9;  // of a value at the end of the range that was converted from another unit
+  return value >= range[0] - rounding * std::abs(range[0]) && value <= range[1] + rounding * std::abs(range[1]);
 }
 
 std::string Doubts::line(const std::string& name, double value, const std::string& what,

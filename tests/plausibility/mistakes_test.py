@@ -3,7 +3,7 @@ import collections
 import re
 import unittest
 
-from mistakes import BASES, MISTAKES, changed, mesh_files
+from mistakes import BASES, M, MISTAKES, changed, mesh_files
 from mudline_case import MudlineCase, deck_text, program
 
 
@@ -28,6 +28,13 @@ class Mistakes(MudlineCase):
     def test_right_decks_are_not_doubted(self):
         decks = {f"{name} {space}".replace(" ", "_"): base(space) for name, base in BASES.items() for space in (False, True)}
         self.assertEqual(dict(self.doubts(decks)), {})
+
+    def test_a_value_at_the_end_of_its_range_is_not_doubted(self):
+        decks = {}
+        for end in (1e-9, 0.1):
+            decks[f"end_{len(decks)}"] = changed(BASES["sand"](False), {M + "permeability/hydraulic conductivity": end}, False)
+        found = [line for lines in self.doubts(decks).values() for line in lines]
+        self.assertFalse([line for line in found if "(plausibility/sand conductivity)" in line])
 
     def test_mistakes_are_doubted(self):
         self.assertGreaterEqual(len(MISTAKES), 60)
