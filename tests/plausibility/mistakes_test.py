@@ -29,12 +29,12 @@ class Mistakes(MudlineCase):
         decks = {f"{name} {space}".replace(" ", "_"): base(space) for name, base in BASES.items() for space in (False, True)}
         self.assertEqual(dict(self.doubts(decks)), {})
 
-    def test_a_value_at_the_end_of_its_range_is_not_doubted(self):
-        decks = {}
-        for end in (1e-9, 0.1):
-            decks[f"end_{len(decks)}"] = changed(BASES["sand"](False), {M + "permeability/hydraulic conductivity": end}, False)
-        found = [line for lines in self.doubts(decks).values() for line in lines]
-        self.assertFalse([line for line in found if "(plausibility/sand conductivity)" in line])
+    def test_a_value_that_misses_its_range_by_rounding_is_not_doubted(self):
+        decks = {name: changed(BASES["sand"](False), {M + "permeability/hydraulic conductivity": 1e-9,
+                                                      "plausibility": {"sand conductivity": [least, 0.1]}}, False)
+                 for name, least in (("rounding", 1.0000000000001e-9), ("less", 1.001e-9))}
+        doubted = {name for name, lines in self.doubts(decks).items() if any("(plausibility/sand conductivity)" in line for line in lines)}
+        self.assertEqual(doubted, {"less"})
 
     def test_mistakes_are_doubted(self):
         self.assertGreaterEqual(len(MISTAKES), 60)
