@@ -17,10 +17,9 @@ endif()
 #              [ENVIRONMENT name=value...])
 #
 # SCRIPT is a Python file of the calling folder. RANKS: processors that it takes; for tests that are a run of so many
-# ranks and little else. Tests that mostly start runs of one rank take one. Ranks that wait long
-# sleep (mudline_waiting_ranks in the place of Open MPI's mpi_yield_when_idle): docs/benchmarks/tests.md tells what it
-# gains. They share one machine: Open MPI looks for no network and hwloc for no device, which took a third
-# of a start.
+# ranks and little else. Tests that mostly start runs of one rank take one. Ranks that wait long sleep
+# (mudline_waiting_ranks in the place of Open MPI's mpi_yield_when_idle): docs/benchmarks/tests.md tells what it gains.
+# They share one machine: Open MPI looks for no network and hwloc for no device, which took a third of a start.
 #
 # tests/support/cpu_limit.py ends what never would: a test that runs away, after `cpu` seconds on processors of all that
 # it starts, and one that hangs, by the clock. The limit is one for all and some five times what the dearest test takes

@@ -1,7 +1,7 @@
 """Draws docs/pictures/measured_clay_sites.png and prints the table of docs/measurements/clay_sites.md.
 
 Arguments: the program, and the table of `mudline sweep inputs/measurements/clay_sites.xml`; without it the sweep is
-run, which takes some fifteen minutes.
+run, which takes some twelve minutes.
 """
 
 import csv

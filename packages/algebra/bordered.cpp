@@ -1,10 +1,10 @@
 #include "algebra/bordered.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algebra/tpetra_compat.hpp"
 
@@ -21,7 +21,7 @@ Bordered::Bordered(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlock
     for (int f : inner_fields_) rows_.push_back(blocks_.block(matrix, b, f));
   }
   columns_ = rcp(new MultiVector(map_, count_));
-  factors_.assign(count_ * count_, 0.0);
+  std::vector<double> bordered(count_ * count_, 0.0);  // S
   int column = 0;
   for (std::size_t k = 0; k < apart_.size(); ++k)
     for (int j = 0; j < sizes_[k]; ++j, ++column) {
@@ -33,19 +33,16 @@ Bordered::Bordered(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlock
       MultiVector w(map_, 1);
       inner_->apply(product, w);
       const std::vector<double> through = rows_times(w);
-      for (int i = 0; i < count_; ++i) factors_[column * count_ + i] = diagonal[i] - through[i];
+      for (int i = 0; i < count_; ++i) bordered[column * count_ + i] = diagonal[i] - through[i];
       columns_->getVectorNonConst(column)->update(1, *w.getVector(0), 0);
     }
   // A body without forces yet has an empty row. A unit diagonal keeps it where it is.
   for (int i = 0; i < count_; ++i) {
     double largest = 0;
-    for (int j = 0; j < count_; ++j) largest = std::max(largest, std::abs(factors_[j * count_ + i]));
-    if (!(largest > 0)) factors_[i * count_ + i] = 1;
+    for (int j = 0; j < count_; ++j) largest = std::max(largest, std::abs(bordered[j * count_ + i]));
+    if (!(largest > 0)) bordered[i * count_ + i] = 1;
   }
-  pivots_.assign(count_, 0);
-  int info = 0;
-  Teuchos::LAPACK<int, double>().GETRF(count_, count_, factors_.data(), count_, pivots_.data(), &info);
-  if (info != 0) std::fill(pivots_.begin(), pivots_.end(), 0);  // S is singular; apply() then skips the solve
+  factor_ = DenseFactor(std::move(bordered), count_);
 }
 
 std::vector<double> Bordered::gathered(const MultiVector& v) const {
@@ -77,11 +74,7 @@ void Bordered::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, dou
   std::vector<double> right = gathered(x);
   const std::vector<double> through = rows_times(y);
   for (int i = 0; i < count_; ++i) right[i] -= through[i];
-  if (std::count(pivots_.begin(), pivots_.end(), 0) == 0) {
-    int info = 0;
-    Teuchos::LAPACK<int, double>().GETRS('N', count_, 1, factors_.data(), count_, pivots_.data(), right.data(), count_,
-                                         &info);
-  }
+  if (factor_.regular()) factor_.solve(right);
   for (int j = 0; j < count_; ++j) y.getVectorNonConst(0)->update(-right[j], *columns_->getVector(j), 1);
   int first = 0;
   for (std::size_t k = 0; k < apart_.size(); ++k) {

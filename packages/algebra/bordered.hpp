@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "algebra/dense_factor.hpp"
 #include "algebra/field_blocks.hpp"
 
 namespace mudline {
@@ -33,8 +34,7 @@ class Bordered : public Operator {
   RCP<Operator> inner_;
   std::vector<RCP<CrsMatrix>> rows_;  // (apart field, inner field)
   int count_ = 0;
-  std::vector<double> factors_;  // LU factors of S, column by column
-  std::vector<int> pivots_;
+  DenseFactor factor_;        // of S
   RCP<MultiVector> columns_;  // W
 };
 

@@ -1,9 +1,9 @@
 #include "algebra/joined_nodes.hpp"
 
 #include <Teuchos_DefaultSerialComm.hpp>
-#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include "algebra/tpetra_compat.hpp"
 
@@ -54,14 +54,12 @@ JoinedNodes::JoinedNodes(const NodeMatrix& matrix, const std::vector<char>& join
 
 bool JoinedNodes::factor_dense(const NodeMatrix& matrix) {
   const int rows = static_cast<int>(solution_.size());
-  dense_.assign(static_cast<std::size_t>(rows) * rows, 0);
-  pivots_.resize(rows);
+  std::vector<double> block(static_cast<std::size_t>(rows) * rows, 0);
   for_each_entry(matrix, nodes_, [&](int row, int column, double value) {
-    dense_[static_cast<std::size_t>(rows) * column + row] = value;
+    block[static_cast<std::size_t>(rows) * column + row] = value;
   });
-  int problem = 0;
-  Teuchos::LAPACK<int, double>().GETRF(rows, rows, dense_.data(), rows, pivots_.data(), &problem);
-  return problem == 0;
+  dense_ = DenseFactor(std::move(block), rows);
+  return dense_.regular();
 }
 
 bool JoinedNodes::factor_sparse(const NodeMatrix& matrix) {
@@ -82,16 +80,13 @@ const std::vector<double>& JoinedNodes::solve(const MultiVector& x) const {
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       for (int i = 0; i < components_; ++i) solution_[components_ * k + i] = from(components_ * nodes_[k] + i, 0);
   }
-  const int rows = static_cast<int>(solution_.size());
-  if (!dense_.empty()) {
-    int problem = 0;
-    Teuchos::LAPACK<int, double>().GETRS('N', rows, 1, dense_.data(), rows, pivots_.data(), solution_.data(), rows,
-                                         &problem);
+  if (!sparse_) {
+    dense_.solve(solution_);
     return solution_;
   }
   std::copy(solution_.begin(), solution_.end(), right_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
   sparse_->solve(*right_, *left_);
-  std::copy_n(left_->getLocalViewHost(Tpetra::Access::ReadOnly).data(), rows, solution_.begin());
+  std::copy_n(left_->getLocalViewHost(Tpetra::Access::ReadOnly).data(), solution_.size(), solution_.begin());
   return solution_;
 }
 

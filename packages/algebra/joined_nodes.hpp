@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "algebra/dense_factor.hpp"
 #include "algebra/mumps_factor.hpp"
 #include "algebra/node_matrix.hpp"
 
@@ -27,9 +28,8 @@ class JoinedNodes {
 
   std::vector<int> nodes_;
   int components_;
-  std::vector<double> dense_;  // LU factors, column by column; empty: the sparse ones are there
-  std::vector<int> pivots_;
-  std::unique_ptr<MumpsFactor> sparse_;
+  DenseFactor dense_;
+  std::unique_ptr<MumpsFactor> sparse_;    // null: the dense factors are there
   mutable RCP<MultiVector> right_, left_;  // of the sparse factors
   mutable std::vector<double> solution_;
 };

@@ -290,13 +290,14 @@ std::string InitialState::set_stress(const Soil& soil, const std::optional<Geost
 
 /// What the points of this rank showed when they started.
 struct InitialState::Found {
-  bool strength = false;          // a law has an undrained strength
-  bool overconsolidated = false;  // an overconsolidation ratio is not 1
-  bool follows = false;           // and the law or the void ratio starts otherwise for it
+  bool asks_strength, asks_ratio;  // what the start has to know
+  bool strength = false;           // a law has an undrained strength
+  bool overconsolidated = false;   // an overconsolidation ratio is not 1
+  bool follows = false;            // and the law or the void ratio starts otherwise for it
 
-  void add(const SoilMaterial& material, const InitialPoint& point, const SoilState& state) {
-    strength = strength || state.undrained_strength;
-    if (point.overconsolidation_ratio == 1) return;
+  void add(const SoilMaterial& material, const InitialPoint& point, const SoilPoints& points, int row) {
+    if (asks_strength && !strength) strength = points.soil_state(row).undrained_strength.has_value();
+    if (!asks_ratio || point.overconsolidation_ratio == 1) return;
     overconsolidated = true;
     follows = follows || follows_overconsolidation(material, point);
   }
@@ -304,11 +305,10 @@ struct InitialState::Found {
 
 void InitialState::check_found(const Soil& soil, const Found& found, const Section& section) const {
   const auto any = [&](bool here) { return on_any_rank(*soil.space->dofs()->comm(), here); };
-  if ((has_strength_ || has_strength_ratio_) && !any(found.strength))
+  if (found.asks_strength && !any(found.strength))
     section.fail("no soil of this model has a law with an undrained strength",
                  has_strength_ ? "undrained strength" : "undrained strength ratio");
-  if (has_k0_angle_ || (!has_ocr_ && !has_preoverburden_)) return;
-  if (any(found.overconsolidated) && !any(found.follows))
+  if (found.asks_ratio && any(found.overconsolidated) && !any(found.follows))
     section.fail(
         "no law of this model follows it, and without a 'K0 friction angle [deg]' the earth pressure at rest does not "
         "either",
@@ -327,7 +327,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (!column && kind_ != Kind::stress_free) set_pressure(soil, store, [&](double) { return pressure_; });
   State& state = store.committed();
   std::string problem;
-  Found found;
+  Found found{has_strength_ || has_strength_ratio_, !has_k0_angle_ && (has_ocr_ || has_preoverburden_)};
   for (const SoilBlock& b : soil.blocks) {
     const SoilPoints points(soil, b, state);
     const auto& numbers = soil.space->mesh().blocks()[b.block].global_ids;
@@ -343,7 +343,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         std::string reason = set_stress(soil, column, material, point);
         if (reason.empty()) reason = material.find_void_ratio(point);
         if (reason.empty()) reason = write_point(b, row, material, point, state);
-        if (reason.empty()) found.add(material, point, points.soil_state(row));
+        if (reason.empty()) found.add(material, point, points, row);
         if (!reason.empty() && problem.empty())
           problem = "material '" + material.name + "' cannot start at " +
                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;

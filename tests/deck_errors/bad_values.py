@@ -501,9 +501,12 @@ DECKS = [
     number("a superscript", "20e3", "20 kN/m\u00b2", "physics/ground/initial state/surcharge", ODD.format("\u00b2", "U+00B2"), ranks=BOTH),
     number("a no-break space", "20e3", "20\u00a0kPa", "physics/ground/initial state/surcharge", ODD.format("\u00a0", "U+00A0")),
     number("a degree sign", "0.6", "0.6\u00b0", "physics/ground/initial state/K0", ODD.format("\u00b0", "U+00B0")),
-    number("a foreign unit", "20e3", "3 psi", "physics/ground/initial state/surcharge", "; 'psi' is no unit: 1 psi is 6.894757 kPa"),
-    number("another spelling of a unit", "20e3", "3 tonnes/m2", "physics/ground/initial state/surcharge", "; 'tonnes' is no unit (did you mean 't'?)"),
-    number("a unit of two letters", "20e3", "3 xx", "physics/ground/initial state/surcharge", "; 'xx' is no unit; allowed: " + UNITS),
+    number("a foreign unit", "20e3", "3 psi", "physics/ground/initial state/surcharge",
+           "; 'psi' is no unit: 1 psi is 6.894757 kPa"),
+    number("another spelling of a unit", "20e3", "3 tonnes/m2", "physics/ground/initial state/surcharge",
+           "; 'tonnes' is no unit (did you mean 't'?)"),
+    number("a unit of two letters", "20e3", "3 xx", "physics/ground/initial state/surcharge",
+           "; 'xx' is no unit; allowed: " + UNITS),
     Wrong("largest step below the first", (parameter("growth", "double", "1.2"), parameter("maximum", "double", "0.1 ms")),
           "stages/push/time step/maximum: the maximum step, 0.1 ms, must not be below the initial one, 0.25 ms"),
     Wrong("balance of a dynamic stage", (PUSHED, PUSHED + parameter("balance tolerance", "double", "1e-3")),
@@ -518,8 +521,9 @@ DECKS = [
           "physics/ground/initial state: material 'clay' cannot start at (0.0112702, 0.0112702): the overconsolidation ratio must be at "
           "least 1; it is 0.5", at=section("initial state")),
     Wrong("overconsolidation that nothing follows", (SKELETON, ELASTIC_LAW),
-          "physics/ground/initial state/overconsolidation ratio: no law of this model follows it, and without a 'K0 friction angle "
-          "[deg]' the earth pressure at rest does not either", at=parameter("overconsolidation ratio", "double", "1.5"), ranks=BOTH),
+          "physics/ground/initial state/overconsolidation ratio: no law of this model follows it, and without a "
+          "'K0 friction angle [deg]' the earth pressure at rest does not either",
+          at=parameter("overconsolidation ratio", "double", "1.5"), ranks=BOTH),
     Wrong("a value that is no number at some time", (section("far side"), NOWHERE + section("far side")),
           "boundary conditions/nowhere: its value is not finite at t = 0 s in stage 'geostatic'; allowed: finite numbers",
           at=section("nowhere"), ranks=BOTH),

@@ -33,7 +33,8 @@ class Mistakes(MudlineCase):
         decks = {name: changed(BASES["sand"](False), {M + "permeability/hydraulic conductivity": 1e-9,
                                                       "plausibility": {"sand conductivity": [least, 0.1]}}, False)
                  for name, least in (("rounding", 1.0000000000001e-9), ("less", 1.001e-9))}
-        doubted = {name for name, lines in self.doubts(decks).items() if any("(plausibility/sand conductivity)" in line for line in lines)}
+        doubted = {name for name, lines in self.doubts(decks).items()
+                   if any("(plausibility/sand conductivity)" in line for line in lines)}
         self.assertEqual(doubted, {"less"})
 
     def test_mistakes_are_doubted(self):

@@ -102,7 +102,8 @@ class PulledOff(ContactCase):
             "stages": {"rest": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}})
         done = program(["check", self.write("dry.xml", text)], 1, self.folder)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("contacts/face/drainage: has a meaning only in a model with the field 'pore pressure'", done.stderr)
+        self.assertIn("contacts/face/drainage: has a meaning only in a model with the field 'pore pressure'",
+                      done.stderr)
 
 
 @problem("exact", "Reynolds' equation", "Film squeezed out between plates")
