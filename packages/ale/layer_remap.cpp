@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/told.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
 #include "tensor/mat.hpp"

@@ -24,10 +24,8 @@ SideFigures figures(const Mesh& mesh, const Side& side) {
   const std::vector<int> local = side_nodes(block.shape, side.side);
   const int count = num_corners(side_shape(block.shape, side.side));
   SideFigures result;
-  for (int c = 0; c < count; ++c) {
-    result.corners.push_back(mesh.place(block.nodes(side.element, local[c])));
-    result.middle += 1.0 / count * result.corners.back();
-  }
+  result.middle = middle_of(mesh, side);
+  for (int c = 0; c < count; ++c) result.corners.push_back(mesh.place(block.nodes(side.element, local[c])));
   for (int c = 0; c < (count == 2 ? 1 : count); ++c) {
     const double edge = length(result.corners[(c + 1) % count] - result.corners[c]);
     result.shortest = std::min(result.shortest, edge);

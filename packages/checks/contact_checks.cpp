@@ -151,8 +151,7 @@ double load_beside_body(const ContactSetup& of, const Section& condition, const 
   place[up] = of.soil.top - (follows ? extent.shadow.width : 0.0);
   double end = 0;
   for (const auto& stage : of.model.stages()) end += stage->duration;
-  Function load;
-  Parameters(condition).add(component, load, "", "");
+  const Function load = Setup::function(condition, component).value_or(Function());
   return std::max(std::abs(load(0, place)), std::abs(load(end, place)));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include "checks/setup.hpp"
@@ -17,43 +18,85 @@ namespace mudline {
 
 namespace {
 
+/// What the conditions of a stage prescribe at one time.
+class Prescribed {
+ public:
+  Prescribed(const Model& model, const Stage& stage)
+      : model_(model), stage_(stage), n_(model.space().dofs()->num_overlap_dofs()), owner_(n_, -1), value_(n_, 0.0) {}
+
+  /// Adds a condition by its number; fails where its value is no number, or another one's is different.
+  void add(std::size_t number, double t_old, double t_end, const Section& conditions) {
+    const Condition& condition = *model_.conditions()[number];
+    Constraints mine(n_);
+    condition.prescribe(t_old, t_end, model_.store().committed(), mine);
+    for (int i = 0; i < n_; ++i) {
+      if (!mine.given(i)) continue;
+      const double value = mine.value(i), scale = std::max({std::abs(value), std::abs(value_[i]), 1e-12});
+      if (!std::isfinite(value))
+        conditions.fail("its value is not finite" + told(t_end, " at t = %.6g s") + " in stage '" + stage_.name +
+                            "'; allowed: finite numbers",
+                        condition.name);
+      if (owner_[i] >= 0 && std::abs(value - value_[i]) > 1e-9 * scale)
+        conditions.fail("contradicts '" + model_.conditions()[owner_[i]]->name +
+                            "' on a shared node: " + model_.space().field(model_.space().dofs()->field_of(i)).name +
+                            told(value_[i], " is prescribed as %.6g") + told(value, " and as %.6g") + " in stage '" +
+                            stage_.name + "'",
+                        condition.name);
+      owner_[i] = static_cast<int>(number);
+      value_[i] = value;
+    }
+  }
+
+ private:
+  const Model& model_;
+  const Stage& stage_;
+  int n_;
+  std::vector<int> owner_;  // number of the condition that prescribes an unknown; -1: none
+  std::vector<double> value_;
+};
+
 /// Refuses conditions that prescribe different values of one unknown in a stage, or a value that is no number.
 void check_contradictions(const Model& model, const Section& deck) {
-  const int n = model.space().dofs()->num_overlap_dofs();
   double time = 0;
   for (const auto& stage : model.stages()) {
-    for (double fraction : {0.5, 1.0}) {
-      const double t_end = time + fraction * stage->duration, t_old = t_end - 1e-3 * stage->duration;
-      std::vector<int> owner(n, -1);
-      std::vector<double> value(n, 0.0);
-      std::string problem, second;
-      for (std::size_t c = 0; c < model.conditions().size(); ++c) {
-        if (!Setup::acts(model.conditions()[c]->name, *stage)) continue;
-        Constraints mine(n);
-        model.conditions()[c]->prescribe(t_old, t_end, model.store().committed(), mine);
-        for (int i = 0; i < n; ++i) {
-          if (!mine.given(i)) continue;
-          if (!std::isfinite(mine.value(i)) && problem.empty()) {
-            second = model.conditions()[c]->name;
-            problem = "its value is not finite" + told(t_end, " at t = %.6g s") + " in stage '" + stage->name +
-                      "'; allowed: finite numbers";
-          }
-          const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
-          if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
-            const std::string& field = model.space().field(model.space().dofs()->field_of(i)).name;
-            second = model.conditions()[c]->name;
-            problem = "contradicts '" + model.conditions()[owner[i]]->name + "' on a shared node: " + field +
-                      told(value[i], " is prescribed as %.6g") + told(mine.value(i), " and as %.6g") + " in stage '" +
-                      stage->name + "'";
-          }
-          owner[i] = static_cast<int>(c);
-          value[i] = mine.value(i);
-        }
-      }
+    for (double fraction : {0.5, 1.0})
       agree(*model.space().dofs()->comm(), [&] {
-        if (!problem.empty()) deck.section("boundary conditions").fail(problem, second);
+        const double t_end = time + fraction * stage->duration, t_old = t_end - 1e-3 * stage->duration;
+        Prescribed prescribed(model, *stage);
+        for (std::size_t c = 0; c < model.conditions().size(); ++c)
+          if (Setup::acts(model.conditions()[c]->name, *stage))
+            prescribed.add(c, t_old, t_end, deck.section("boundary conditions"));
       });
-    }
+    time += stage->duration;
+  }
+}
+
+/// Evaluates the functions of a condition at the middle of each side of its set, at times of a stage: a value that is
+/// not finite fails.
+void evaluate_loads(const Model& model, const Section& condition, double begin, double duration) {
+  const auto set = model.mesh().side_sets().find(condition.text("set"));
+  if (set == model.mesh().side_sets().end()) return;
+  constexpr int moments = 32;
+  for (const std::string& name : condition.parameter_names()) {
+    const auto given = Setup::function(condition, name);
+    if (!given || given->is_constant()) continue;
+    const Function function = given->within(any(), condition.origin(name), condition.dimension());
+    for (const Side& side : set->second)
+      for (int k = 0; k <= (function.steady() ? 0 : moments); ++k)
+        function(begin + duration * k / moments, middle_of(model.mesh(), side));
+  }
+}
+
+/// Refuses loads and flows on surfaces that are not finite at some time.
+void check_loads(const Model& model, const Section& deck) {
+  double time = 0;
+  for (const auto& stage : model.stages()) {
+    agree(*model.mesh().comm(), [&] {
+      for (const std::string& name : stage->conditions) {
+        const Section condition = deck.section("boundary conditions").section(name);
+        if (condition.has_parameter("set")) evaluate_loads(model, condition, time, stage->duration);
+      }
+    });
     time += stage->duration;
   }
 }
@@ -99,22 +142,49 @@ void check_motions(const Model& model, const Section& deck) {
   }
 }
 
-/// Refuses two contacts of one stage that press the same surface with the same body or surface: the soil would feel
-/// twice the traction.
+/// Whether two side sets have a side in common. Collective.
+bool share_a_side(const Mesh& mesh, const std::string& one, const std::string& other) {
+  if (one == other) return true;
+  std::set<std::tuple<int, int, int>> sides;
+  for (const Side& side : mesh.side_sets().at(one)) sides.insert({side.block, side.element, side.side});
+  const std::vector<Side>& others = mesh.side_sets().at(other);
+  return on_any_rank(*mesh.comm(), std::any_of(others.begin(), others.end(), [&](const Side& side) {
+    return sides.count({side.block, side.element, side.side}) > 0;
+  }));
+}
+
+/// Whether two contacts press the same sides with the same body, or the same two surfaces, either way round.
+/// Collective.
+bool press_alike(const Mesh& mesh, const ContactPartners& one, const ContactPartners& other) {
+  const auto share = [&](const std::string& a, const std::string& b) { return share_a_side(mesh, a, b); };
+  if (one.body || other.body) return one.body == other.body && share(one.surface, other.surface);
+  return (share(one.surface, other.surface) && share(one.opposite, other.opposite)) ||
+         (share(one.surface, other.opposite) && share(one.opposite, other.surface));
+}
+
+std::string partners_text(const ContactPartners& partners) {
+  return "surface '" + partners.surface + "' with " +
+         (partners.body ? "body '" + partners.body->name() : "surface '" + partners.opposite) + "'";
+}
+
+/// Refuses two contacts of one stage that press the same sides with the same body or surface: the soil would feel twice
+/// the traction. Collective.
 void check_pairs(const Model& model, const Section& deck) {
   for (const auto& stage : model.stages()) {
-    std::map<std::tuple<std::string, std::string, const RigidBody*>, std::string> taken;
+    std::map<std::string, ContactPartners> before;
     for (const auto& [name, contact] : model.contacts()) {
       if (std::find(stage->contacts.begin(), stage->contacts.end(), name) == stage->contacts.end()) continue;
       const ContactPartners partners = contact->partners();
-      const auto [before, first] = taken.insert({{partners.surface, partners.opposite, partners.body}, name});
-      if (first) continue;
-      const std::string with = partners.body ? "body '" + partners.body->name() : "surface '" + partners.opposite;
-      deck.section("contacts")
-          .fail("presses surface '" + partners.surface + "' with " + with + "' in stage '" + stage->name +
-                    "', as contact '" + before->second +
-                    "' does: the traction would count twice; allowed: one of them in a stage",
-                name);
+      for (const auto& [other, taken] : before) {
+        if (!press_alike(model.mesh(), partners, taken)) continue;
+        const std::string text = partners_text(partners), first = partners_text(taken);
+        deck.section("contacts")
+            .fail("presses " + text + " in stage '" + stage->name + "', as contact '" + other + "' does" +
+                      (text == first ? "" : " on some of the same sides, " + first) +
+                      ": the traction would count twice; allowed: one of them in a stage",
+                  name);
+      }
+      before.emplace(name, partners);
     }
   }
 }
@@ -350,6 +420,7 @@ void check_error_estimate(const Model& model, const OutputSettings& output, cons
 
 void check_deck(Model& model, const Section& deck) {
   check_contradictions(model, deck);
+  check_loads(model, deck);
   check_motions(model, deck);
   check_pairs(model, deck);
   check_in_situ(model, deck);

@@ -187,11 +187,24 @@ void linear_cells_that_yield(const Setup& setup, const Judge& judge) {
   }
 }
 
+/// Number of stages with inertia.
+int dynamic_stages(const Setup& setup) {
+  const auto& stages = setup.model().stages();
+  return static_cast<int>(std::count_if(stages.begin(), stages.end(),
+                                        [](const auto& stage) { return stage->type == Stage::Type::dynamic; }));
+}
+
+void damping_of_inertia(const Setup& setup, const Judge& judge) {
+  for (const Section& entry : setup.physics())
+    if (setup.given(entry, "mass damping").high > 0)
+      judge(dynamic_stages(setup),
+            "physics '" + entry.name() + "': the number of dynamic stages for its 'mass damping'",
+            "without inertia it has no effect");
+}
+
 void damping(const Setup& setup, const Judge& judge) {
-  bool dynamic = false;
-  for (const auto& stage : setup.model().stages()) dynamic = dynamic || stage->type == Stage::Type::dynamic;
   const auto& soil = setup.soil();
-  if (!dynamic || !(soil.density > 0) || !(soil.shear > 0)) return;
+  if (dynamic_stages(setup) == 0 || !(soil.density > 0) || !(soil.shear > 0)) return;
   for (const Section& entry : setup.physics()) {
     const Span mass = setup.given(entry, "mass damping"), stiffness = setup.given(entry, "stiffness damping");
     const double a = mass.known() ? mass.high : 0, b = stiffness.known() ? stiffness.high : 0;
@@ -255,6 +268,8 @@ std::vector<Check<Setup>> domain_checks() {
       {{"yielding linear cells", "-", {0, 0}, "number of laws that yield at constant volume in linear cells"},
        linear_cells_that_yield},
       {{"damping ratio", "-", {0, 0.3}, "of the first shear mode of the soil's height, by Rayleigh damping"}, damping},
+      {{"damping of inertia", "-", {1, any_size}, "number of dynamic stages, where a physics has mass damping"},
+       damping_of_inertia},
       {{"mesh size", "m", {0.02, 3000}, "largest extent of the mesh"}, mesh_size},
       {{"residual tolerance", "-", {1e-14, 1e-3}, "of the solver, as given"}, residual_tolerance},
       {{"update tolerance", "-", {1e-14, 5e-2}, "of the solver, as given"}, update_tolerance},

@@ -234,6 +234,27 @@ void prescribed_displacement(const Setup& setup, const Judge& judge) {
   }
 }
 
+/// Displacements that a condition prescribes as a stage begins, after the stage before has set all to zero.
+void displacement_after_reset(const Setup& setup, const Judge& judge) {
+  const auto& stages = setup.model().stages();
+  for (std::size_t i = 1; i < stages.size(); ++i) {
+    if (!stages[i - 1]->reset_displacements) continue;
+    for (const Condition& condition : setup.conditions(*stages[i])) {
+      if (condition.type != "displacement") continue;
+      double jump = 0;
+      for (const std::string& component : components(condition)) {
+        const double begin = setup.begin(i);
+        const Span span = setup.given(condition.entry, component, begin, begin, &setup.set(condition.set));
+        const auto value = setup.function(condition.entry, component);
+        if (span.known() && value && !value->steady()) jump = std::max(jump, std::abs(span.largest()));
+      }
+      judge(jump, "stage '" + stages[i]->name + "', " + called(condition) + "its displacement at the stage's begin",
+            "stage '" + stages[i - 1]->name +
+                "' sets the displacements to zero at its end, and this one jumps: let its function begin at 0 there");
+    }
+  }
+}
+
 /// Prescribed pore pressures that are not zero.
 void prescribed_pressure(const Setup& setup, const Judge& judge) {
   if (setup.scales()) return;
@@ -408,6 +429,11 @@ std::vector<Check<Setup>> load_checks() {
        wave_step},
       {{"prescribed displacement", "-", {0, 2}, "prescribed displacement over the largest extent of the mesh"},
        prescribed_displacement},
+      {{"displacement after reset",
+        "m",
+        {0, 1e-9},
+        "that a function of time prescribes as a stage begins, after 'reset displacements'"},
+       displacement_after_reset},
       {{"prescribed pore pressure",
         "Pa",
         {500, 1e8},

@@ -290,8 +290,7 @@ void Plausibility::doubt_hole(const BodyPath& path, const Positions& positions, 
     });
     const Section entry = deck.section("boundary conditions").section(condition->name);
     if (!acts || entry.text("type") != "pore pressure") continue;
-    Function value;
-    Parameters(entry).add("value", value, "", "");
+    const Function value = Setup::function(entry, "value").value_or(Function());
     Span held;
     for (const auto* side : path.sides_under())
       if (side->sets.count(entry.text("set")) > 0)
@@ -338,11 +337,8 @@ std::vector<Plausibility::Load> Plausibility::loads(const Section& deck, std::si
       const auto& before = model_.stages()[number - 1]->conditions;
       load.anew = std::find(before.begin(), before.end(), name) == before.end();
     }
-    for (const char* component : {"x", "y", "z", "value"}) {
-      Function function;
-      Parameters(entry).add(component, function, "", "");
-      load.components.push_back(function);
-    }
+    for (const char* component : {"x", "y", "z", "value"})
+      load.components.push_back(Setup::function(entry, component).value_or(Function()));
     result.push_back(load);
   }
   return result;
@@ -361,13 +357,10 @@ double Plausibility::pressure_time(const Section& deck, std::size_t number) cons
       const std::vector<int> local = side_nodes(block.shape, side.side);
       const int corners = num_corners(side_shape(block.shape, side.side));
       bool drained = true;
-      Point middle{};
-      for (int c = 0; c < corners; ++c) {
-        const int node = block.nodes(side.element, local[c]);
-        drained = drained && held.given(space.node_dof(p)(node));
-        for (int i = 0; i < 3; ++i) middle[i] += model_.mesh().place(node)[i] / corners;
-      }
-      if (drained && load.sudden(stage.control.initial, middle)) beside.insert({side.block, side.element});
+      for (int c = 0; c < corners; ++c)
+        drained = drained && held.given(space.node_dof(p)(block.nodes(side.element, local[c])));
+      if (drained && load.sudden(stage.control.initial, middle_of(model_.mesh(), side)))
+        beside.insert({side.block, side.element});
     }
   double longest = 0;
   for_each_element([&](const Element& at) {

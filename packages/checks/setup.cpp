@@ -80,7 +80,7 @@ std::string Setup::word(const Section& section, const std::string& name, const s
   return text ? *text : fallback;
 }
 
-std::optional<Function> Setup::function(const Section& section, const std::string& name) const {
+std::optional<Function> Setup::function(const Section& section, const std::string& name) {
   if (!section.has_parameter(name)) return {};
   const Teuchos::ParameterEntry& entry = section.list().getEntry(name);
   if (const auto* number = value_of<double>(entry)) return Function(*number);

@@ -79,7 +79,7 @@ class Setup {
              const SetFigures* where = nullptr) const;
   Span given(const Section& section, const std::string& name) const { return given(section, name, 0, end()); }
   /// The function of an entry; empty where the deck gives none.
-  std::optional<Function> function(const Section& section, const std::string& name) const;
+  static std::optional<Function> function(const Section& section, const std::string& name);
   /// Whether a physics of the deck starts from the soil's weight.
   static bool starts_geostatic(const Section& deck);
   /// The word or text of an entry, or the fallback.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "algebra/over_ranks.hpp"
+#include "core/told.hpp"
 #include "integrator/overlap.hpp"
 #include "tensor/vec.hpp"
 

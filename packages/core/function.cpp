@@ -13,6 +13,7 @@
 #include "core/errors.hpp"
 #include "core/pi.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "core/unit.hpp"
 #include "core/written_number.hpp"
 
@@ -46,6 +47,7 @@ class Expression : public FunctionBase {
   }
 
   bool steady() const override { return used_.count("t") == 0; }
+  bool uniform() const override { return used_.size() == used_.count("t"); }
   bool has_variables() const { return !used_.empty(); }
 
  private:
@@ -128,6 +130,8 @@ class Table : public FunctionBase {
     return std::all_of(values_.begin(), values_.end(), [this](double value) { return value == values_.front(); });
   }
 
+  bool uniform() const override { return true; }
+
  private:
   std::vector<double> times_, values_;
   Interpolation kind_;
@@ -146,6 +150,30 @@ Function Function::with_text(std::string text) const {
   Function copy = *this;
   copy.text_ = std::move(text);
   return copy;
+}
+
+/// What within() allows.
+struct Function::Limits {
+  Range range;
+  std::string origin;
+  int dimension;  // of the mesh
+};
+
+Function Function::within(const Range& range, const std::string& origin, int dimension) const {
+  Function copy = *this;
+  copy.limits_ = std::make_shared<const Limits>(Limits{range, origin, dimension});
+  return copy;
+}
+
+double Function::evaluate(double time, const Point& x) const {
+  const double value = definition_->value(time, x);
+  if (!limits_ || (std::isfinite(value) && limits_->range.contains(value))) return value;
+  const std::string is = std::isfinite(value) ? told(value, "%.6g") : "not finite";
+  std::string at = steady() ? "" : told(time, "t = %.6g s");
+  if (!definition_->uniform()) at += (at.empty() ? "" : ", ") + place_text(x, limits_->dimension);
+  const std::string allowed = limits_->range.describe();
+  throw InputError(limits_->origin + "the value of '" + text_ + "' is " + is + " at " + at +
+                   "; allowed: " + (allowed == "any" ? "finite numbers" : allowed));
 }
 
 void FunctionLibrary::add(const std::string& name, Function function, std::optional<ValueWithUnit> measured) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/range.hpp"
 #include "core/unit.hpp"
 #include "tensor/vec.hpp"
 
@@ -23,6 +24,8 @@ class FunctionBase {
   virtual double value(double time, const Point& x) const = 0;
   /// True when value does not depend on time.
   virtual bool steady() const { return false; }
+  /// True when value does not depend on the position.
+  virtual bool uniform() const { return false; }
 };
 
 /// A number, an expression (see make_expression), or the name of an entry of the deck's section "functions".
@@ -34,7 +37,8 @@ class Function {
   Function(double constant, std::string text);
   explicit Function(std::shared_ptr<const FunctionBase> definition, std::string text);
 
-  double operator()(double time, const Point& x) const { return definition_ ? definition_->value(time, x) : constant_; }
+  /// InputError where the value lies outside of within(), or is not finite; without within() any value is returned.
+  double operator()(double time, const Point& x) const { return definition_ ? evaluate(time, x) : constant_; }
   bool steady() const { return definition_ ? definition_->steady() : true; }
   bool is_constant() const { return definition_ == nullptr; }
   bool is_zero() const { return is_constant() && constant_ == 0.0; }
@@ -42,11 +46,17 @@ class Function {
   const std::string& text() const { return text_; }
   /// A copy of the function with another text().
   Function with_text(std::string text) const;
+  /// A copy that refuses values outside of `range`. `origin` is where the deck gives it: "deck.xml:12: path: ".
+  Function within(const Range& range, const std::string& origin, int dimension) const;
 
  private:
+  struct Limits;
+  double evaluate(double time, const Point& x) const;
+
   std::shared_ptr<const FunctionBase> definition_;
   double constant_ = 0.0;
   std::string text_;
+  std::shared_ptr<const Limits> limits_;  // null: none
 };
 
 /// The deck's named functions; resolves the value of a parameter that is a function.

@@ -18,8 +18,6 @@ namespace mudline {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// An error in one value, without its position, which the caller adds.
 using Fault = InputError;
 
@@ -117,13 +115,9 @@ Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibra
   return Function(constant);
 }
 
-/// A function of the place alone.
-Function read_function_of_place(const Teuchos::ParameterEntry& entry, const FunctionLibrary& library,
-                                const std::string& unit) {
-  const Function function = read_function(entry, library, unit);
+void require_steady(const Function& function) {
   if (!function.steady())
     throw Fault("'" + function.text() + "' depends on the time; this number may depend on the place only");
-  return function;
 }
 
 /// A value that is given with units, in the unit that is declared.
@@ -154,22 +148,6 @@ const char* type_of(const Vec<double, 2>&) { return "array of doubles"; }
 const char* type_of(const std::vector<std::string>&) { return "array of strings"; }
 
 }  // namespace
-
-bool Range::contains(double value) const {
-  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
-}
-
-std::string Range::describe() const {
-  if (low == -infinity && high == infinity) return "any";
-  return (low_open ? "(" : "[") + number_text(low) + ", " + number_text(high) + (high_open ? ")" : "]");
-}
-
-Range any() { return {-infinity, infinity, true, true}; }
-Range positive() { return {0.0, infinity, true, true}; }
-Range non_negative() { return {0.0, infinity, false, true}; }
-Range closed(double low, double high) { return {low, high, false, false}; }
-Range open(double low, double high) { return {low, high, true, true}; }
-Range half_open(double low, double high) { return {low, high, false, true}; }
 
 Parameters::Parameters(const Section& section) : section_(std::make_shared<Section>(section)) {}
 
@@ -219,11 +197,19 @@ void Parameters::number(const std::string& name, double& member, const std::stri
     const bool may_be_function =
         varying_ != nullptr && entry.isType<std::string>() && !parse_number(text) && why_no_number(text).empty();
     if (!may_be_function) return convert(entry, range, member);
-    const Function function = read_function_of_place(entry, section_->functions(), unit);
+    const Function function = read_function(entry, section_->functions(), unit);
+    require_steady(function);
     if (!function.is_constant()) return varying_->push_back({name, unit, range, function, &member});
     check_range(function(0, {}), function.text(), range);
     member = function(0, {});
   });
+}
+
+Function Parameters::function_in(const Teuchos::ParameterEntry& entry, const ParameterDoc& doc,
+                                 const Range& range) const {
+  const Function function = read_function(entry, section_->functions(), doc.unit);
+  if (function.is_constant()) check_range(function(0, {}), function.text(), range);
+  return function.within(range, section_->origin(doc.name), section_->dimension());
 }
 
 bool Parameters::varies(const std::string& name) const {
@@ -233,8 +219,8 @@ bool Parameters::varies(const std::string& name) const {
 
 void Parameters::function(const std::string& name, Function& member, const std::string& unit, const std::string& doc,
                           bool required) {
-  read({name, "function", unit, "", required ? "" : member.text(), doc, required, {}},
-       [&](const Teuchos::ParameterEntry& entry) { member = read_function(entry, section_->functions(), unit); });
+  const ParameterDoc full{name, "function", unit, "", required ? "" : member.text(), doc, required, {}};
+  read(full, [&](const Teuchos::ParameterEntry& entry) { member = function_in(entry, full, any()); });
 }
 
 void Parameters::point(const std::string& name, Point& member, const std::string& unit, const std::string& doc,
@@ -309,10 +295,13 @@ void Parameters::add(const std::string& name, Point& member, const std::string& 
 void Parameters::add(const std::string& name, Function& member, const std::string& unit, const std::string& doc) {
   function(name, member, unit, doc, false);
 }
-void Parameters::add_of_place(const std::string& name, Function& member, const std::string& unit,
+void Parameters::add_of_place(const std::string& name, Function& member, const std::string& unit, const Range& range,
                               const std::string& doc) {
-  read({name, "function", unit, "", member.text(), doc, false, {}}, [&](const Teuchos::ParameterEntry& entry) {
-    member = read_function_of_place(entry, section_->functions(), unit);
+  const ParameterDoc full{name, "function", unit, range.describe(), member.text(), doc, false, {}};
+  read(full, [&](const Teuchos::ParameterEntry& entry) {
+    const Function function = function_in(entry, full, range);
+    require_steady(function);
+    member = function;
   });
 }
 

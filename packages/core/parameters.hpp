@@ -6,24 +6,11 @@
 #include <vector>
 
 #include "core/function.hpp"
+#include "core/range.hpp"
 #include "core/section.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
-
-/// Allowed interval of a number; describes itself ("(0, 0.5)", "any").
-struct Range {
-  double low, high;
-  bool low_open, high_open;
-  bool contains(double value) const;
-  std::string describe() const;
-};
-Range any();
-Range positive();                          // (0, inf)
-Range non_negative();                      // [0, inf)
-Range closed(double low, double high);     // [low, high]
-Range open(double low, double high);       // (low, high)
-Range half_open(double low, double high);  // [low, high)
 
 /// The documentation of one parameter: the source of help texts, the reference, templates, the XSD, and errors.
 struct ParameterDoc {
@@ -72,7 +59,8 @@ class Parameters {
   void add(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void add(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
   /// A function of the place, which is worked out once; one that depends on the time is refused.
-  void add_of_place(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
+  void add_of_place(const std::string& name, Function& member, const std::string& unit, const Range& range,
+                    const std::string& doc);
   void required(const std::string& name, double& member, const std::string& unit, Range range, const std::string& doc);
   void required(const std::string& name, int& member, const std::string& unit, Range range, const std::string& doc);
   void required(const std::string& name, std::string& member, const std::string& doc);
@@ -126,6 +114,8 @@ class Parameters {
   const std::vector<SubsectionDoc>& sections() const { return subsections_; }
 
  private:
+  /// The function that an entry gives; it refuses values that are not finite or outside of `range`.
+  Function function_in(const Teuchos::ParameterEntry& entry, const ParameterDoc& doc, const Range& range) const;
   /// The index into `words` that the deck gives, or `fallback`.
   std::size_t choose(const std::string& name, std::size_t fallback, const std::vector<std::string>& words,
                      const std::string& doc);

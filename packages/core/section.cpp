@@ -124,10 +124,14 @@ void Section::fail(const std::string& message, const std::string& entry) const {
   const std::string misspelt =
       message.compare(0, missing.size(), missing) == 0 ? nearest("type", parameter_names()) : "";
   if (!misspelt.empty()) fail("unknown parameter (did you mean 'type'?)", misspelt);
+  throw InputError(origin(entry) + message);
+}
+
+std::string Section::origin(const std::string& entry) const {
   std::string line;
   for (const std::string& part : {source(entry), join_path(path_, entry)})
     if (!part.empty()) line += part + ": ";
-  throw InputError(line + message);
+  return line;
 }
 
 void Section::allow_sections(const std::vector<std::string>& allowed) const {

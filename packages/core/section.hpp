@@ -50,6 +50,9 @@ class Section {
   /// Throws InputError "<file>:<line>: <path>[/<entry>]: <message>"; the line is the entry's when known.
   [[noreturn]] void fail(const std::string& message, const std::string& entry = "") const;
 
+  /// "<file>:<line>: <path>[/<entry>]: ", with which a message about the entry begins.
+  std::string origin(const std::string& entry) const;
+
   /// The items of a value that is given with units; null: it has none.
   const std::vector<std::optional<ValueWithUnit>>* quantities(const std::string& name) const;
 

@@ -61,4 +61,8 @@ std::string readable_range(double low, double high, const std::string& unit, int
   return first + " to " + last;
 }
 
+std::string place_text(const Point& point, int dimension) {
+  return told(point[0], "(%.6g, ") + told(point[1], "%.6g") + (dimension == 2 ? "" : told(point[2], ", %.6g")) + ")";
+}
+
 }  // namespace mudline

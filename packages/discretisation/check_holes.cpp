@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "core/pi.hpp"
+#include "core/told.hpp"
 #include "discretisation/disjoint_sets.hpp"
 #include "discretisation/seam_sides.hpp"
 #include "tensor/mat.hpp"

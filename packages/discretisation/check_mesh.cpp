@@ -6,6 +6,7 @@
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "discretisation/distribute.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "discretisation/side_table.hpp"

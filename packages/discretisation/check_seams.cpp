@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "core/errors.hpp"
+#include "core/told.hpp"
 #include "discretisation/box_grid.hpp"
 #include "discretisation/seam_sides.hpp"
 #include "tensor/vec.hpp"

@@ -173,6 +173,15 @@ MeshRecipe::MeshRecipe(const Registry<MeshSource>& sources, const Section& secti
   cracks_ = entries.cracks;
 }
 
+Point middle_of(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks()[side.block];
+  const std::vector<int> local = side_nodes(block.shape, side.side);
+  const int corners = num_corners(side_shape(block.shape, side.side));
+  Point middle{};
+  for (int c = 0; c < corners; ++c) middle += 1.0 / corners * mesh.place(block.nodes(side.element, local[c]));
+  return middle;
+}
+
 GlobalMesh MeshRecipe::make() const {
   GlobalMesh mesh = source_->generate();
   mesh.contacts = contacts_;

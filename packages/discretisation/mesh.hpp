@@ -154,6 +154,9 @@ class Mesh {
   std::map<std::string, Bounds> region_bounds_;
 };
 
+/// The mean of a side's corners, in the source's coordinates.
+Point middle_of(const Mesh& mesh, const Side& side);
+
 /// Declares the entries that make_mesh reads for every source: "geometry" ("plane strain", "axisymmetric" or
 /// "three-dimensional"), which is returned, and "cracks".
 Geometry declare_geometry(Parameters& p);

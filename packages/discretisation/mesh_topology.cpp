@@ -223,8 +223,4 @@ Point middle_of(const GlobalMesh& mesh, const ElementSide& side) {
   return middle;
 }
 
-std::string place_text(const Point& point, int dimension) {
-  return told(point[0], "(%.6g, ") + told(point[1], "%.6g") + (dimension == 2 ? "" : told(point[2], ", %.6g")) + ")";
-}
-
 }  // namespace mudline

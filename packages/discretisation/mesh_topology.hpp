@@ -55,8 +55,6 @@ std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh);
 
 ElementMap element_map(const GlobalMesh& mesh, int block, long long element);
 Point middle_of(const GlobalMesh& mesh, const ElementSide& side);
-/// "(0.1, -2)", in space with three numbers.
-std::string place_text(const Point& point, int dimension);
 
 /// Throws InputError where elements of a whole mesh overlap, or lie beside each other without being joined: hanging
 /// nodes, twin nodes, meshes that do not match or overlap, holes that no set names. Surfaces that may touch

@@ -44,28 +44,28 @@ void InitialState::parameters(Parameters& p) {
         "Without it the pore pressure of a geostatic start is zero");
   has_water_ = p.given("water level");
   p.add_of_place(
-      "K0", k0_, "-",
+      "K0", k0_, "-", non_negative(),
       "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
   has_k0_ = p.given("K0");
   p.add_of_place(
-      "K0 friction angle [deg]", k0_angle_, "deg",
+      "K0 friction angle [deg]", k0_angle_, "deg", half_open(0, 90),
       "geostatic, instead of K0: K0 = (1 - sin(phi)) OCR^sin(phi) (Jaky; Mayne and Kulhawy); function of position");
   has_k0_angle_ = p.given("K0 friction angle [deg]");
-  p.add_of_place("overconsolidation ratio", ocr_, "-",
+  p.add_of_place("overconsolidation ratio", ocr_, "-", at_least(1),
                  "scales the yield surface through the initial stress; function of position");
   has_ocr_ = p.given("overconsolidation ratio");
   p.add_of_place(
-      "preoverburden pressure", preoverburden_, "Pa",
+      "preoverburden pressure", preoverburden_, "Pa", non_negative(),
       "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + "
       "POP/sigma'_v; function of position");
   has_preoverburden_ = p.given("preoverburden pressure");
   p.add_of_place(
-      "undrained strength", strength_, "Pa",
+      "undrained strength", strength_, "Pa", positive(),
       "instead of the overconsolidation ratio, which is found so that the skeleton law has this undrained strength at "
       "the start; function of position");
   has_strength_ = p.given("undrained strength");
   p.add_of_place(
-      "undrained strength ratio", strength_ratio_, "-",
+      "undrained strength ratio", strength_ratio_, "-", positive(),
       "geostatic, instead of the undrained strength: over the vertical effective stress, s_u/sigma'_v; function of "
       "position");
   has_strength_ratio_ = p.given("undrained strength ratio");
@@ -183,7 +183,6 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Po
     return problem;
   if (has_preoverburden_) {
     const double pop = preoverburden_(0, point.position);
-    if (pop < 0) return "the preoverburden pressure is negative";
     if (pop > 0 && vertical <= 0) return "a preoverburden pressure needs vertical effective stress; give a 'surcharge'";
     if (pop > 0) point.overconsolidation_ratio = 1 + pop / vertical;
   }
@@ -201,10 +200,8 @@ std::string InitialState::stress_at_rest(InitialPoint& point, double vertical, c
   if (has_k0_) {
     k0 = k0_(0, point.position);
   } else if (has_k0_angle_) {
-    const double phi = k0_angle_(0, point.position);
-    if (!(phi >= 0 && phi < 90))
-      return "the K0 friction angle must be in [0, 90) degrees; it is " + std::to_string(phi);
-    k0 = earth_pressure_at_rest(std::sin(phi * pi / 180), point.overconsolidation_ratio);
+    const double phi = k0_angle_(0, point.position) * pi / 180;
+    k0 = earth_pressure_at_rest(std::sin(phi), point.overconsolidation_ratio);
   } else {
     const std::string problem = guarded_k0(*material.skeleton, point, k0);
     if (!problem.empty()) return problem;
@@ -315,6 +312,29 @@ void InitialState::check_found(const Soil& soil, const Found& found, const Secti
         has_ocr_ ? "overconsolidation ratio" : "preoverburden pressure");
 }
 
+void InitialState::start_block(const Soil& soil, const SoilBlock& b, const std::optional<GeostaticColumn>& ground,
+                               State& state, Found& found, const Section& section) const {
+  const SoilPoints points(soil, b, state);
+  const auto& numbers = soil.space->mesh().blocks()[b.block].global_ids;
+  for (int e = 0; e < b.elements; ++e)
+    for (int q = 0; q < b.points; ++q) {
+      const int row = e * b.points + q;
+      const SoilMaterial& material = *soil.materials[static_cast<int>(b.start(row, 0))];
+      InitialPoint point;
+      point.position = b.place(e, q, state.coordinates);
+      point.height = soil.height(point.position);
+      point.element = static_cast<int>(numbers[e] + 1);
+      point.number = q + 1;
+      std::string reason = set_stress(soil, ground, material, point);
+      if (reason.empty()) reason = material.find_void_ratio(point);
+      if (reason.empty()) reason = write_point(b, row, material, point, state);
+      if (!reason.empty())
+        section.fail("material '" + material.name + "' cannot start at " +
+                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason);
+      found.add(material, point, points, row);
+    }
+}
+
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
   check(section);
   if (kind_ == Kind::from_result) return;
@@ -325,33 +345,10 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   const std::optional<GeostaticColumn> column = ground(soil, g, section);
   if (column) set_pressure(soil, store, [&](double y) { return column->pore_pressure(y); });
   if (!column && kind_ != Kind::stress_free) set_pressure(soil, store, [&](double) { return pressure_; });
-  State& state = store.committed();
-  std::string problem;
   Found found{has_strength_ || has_strength_ratio_, !has_k0_angle_ && (has_ocr_ || has_preoverburden_)};
-  for (const SoilBlock& b : soil.blocks) {
-    const SoilPoints points(soil, b, state);
-    const auto& numbers = soil.space->mesh().blocks()[b.block].global_ids;
-    for (int e = 0; e < b.elements; ++e)
-      for (int q = 0; q < b.points; ++q) {
-        const int row = e * b.points + q;
-        const SoilMaterial& material = *soil.materials[static_cast<int>(b.start(row, 0))];
-        InitialPoint point;
-        point.position = b.place(e, q, state.coordinates);
-        point.height = soil.height(point.position);
-        point.element = static_cast<int>(numbers[e] + 1);
-        point.number = q + 1;
-        std::string reason = set_stress(soil, column, material, point);
-        if (reason.empty()) reason = material.find_void_ratio(point);
-        if (reason.empty()) reason = write_point(b, row, material, point, state);
-        if (reason.empty()) found.add(material, point, points, row);
-        if (!reason.empty() && problem.empty())
-          problem = "material '" + material.name + "' cannot start at " +
-                    place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
-      }
-  }
-  // any rank may have found the problem
+  // any rank may find a problem
   agree(*soil.space->dofs()->comm(), [&] {
-    if (!problem.empty()) section.fail(problem);
+    for (const SoilBlock& b : soil.blocks) start_block(soil, b, column, store.committed(), found, section);
   });
   check_found(soil, found, section);
 }

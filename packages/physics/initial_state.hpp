@@ -31,6 +31,9 @@ class InitialState {
   /// InputError of a start from a strength where no rank has found soil with one, and of overconsolidation that nothing
   /// follows. Collective.
   void check_found(const Soil& soil, const Found& found, const Section& section) const;
+  /// Starts the points of a block of elements. InputError where one cannot start.
+  void start_block(const Soil& soil, const SoilBlock& b, const std::optional<GeostaticColumn>& ground, State& state,
+                   Found& found, const Section& section) const;
   /// Stresses and pore pressures over height, of starts that have them.
   std::optional<GeostaticColumn> ground(const Soil& soil, double gravity, const Section& section) const;
   /// Sets overconsolidation ratio and stress of a point; returns "" or the problem.

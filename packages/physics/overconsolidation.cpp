@@ -46,7 +46,6 @@ class StrengthOfRatio {
 
 std::string overconsolidate(const SoilMaterial& material, double strength,
                             const std::function<std::string(InitialPoint&)>& rest, InitialPoint& point) {
-  if (!(strength > 0)) return "the undrained strength must be positive";
   const auto wanted = [&] { return told(strength, "an undrained strength of %.4g Pa"); };
   StrengthOfRatio strength_of(material, rest, point);
   const double least = strength_of(1);

@@ -8,6 +8,7 @@
 #include "algebra/over_ranks.hpp"
 #include "core/guarded.hpp"
 #include "core/text.hpp"
+#include "core/told.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
@@ -18,7 +19,7 @@ namespace mudline {
 void SoilMaterial::parameters(Parameters& p) {
   p.add("regions", regions, "mesh regions made of this soil; empty: all of them");
   p.add_of_place(
-      "top", top, "m",
+      "top", top, "m", any(),
       "the material is a layer: the soil of its regions below this height, counted against gravity, down to the next "
       "lower top among the materials of the region; function of the place at the start. Without it: up to the "
       "surface");

@@ -111,6 +111,13 @@ def with_reduction(name, message, at, entries=LARGEST, kind="quasi-static", step
 ELASTIC = [("type", "string", "linear elastic"), ("Young's modulus", "double", "1e7"),
            ("Poisson's ratio", "double", "0.3")]
 ELASTIC_LAW = section("skeleton") + "".join(parameter(*entry) for entry in ELASTIC) + "</ParameterList>\n"
+PRESSED = section("pressed") + parameter("type", "string", "pressure") + parameter("set", "string", "right") + \
+    parameter("value", "string", "1e3 * sqrt(t - 1)") + "</ParameterList>\n"
+VELOCITY = parameter("velocity y", "double", "-0.5")
+SPEEDING = parameter("velocity y", "string", "log(t - 1)")
+RESTING = parameter("K0", "string", "-0.1 + 0 * x")
+PULLED = parameter("gravity", "Array(double)", "{0.0, -9.81}")
+SWINGING = parameter("gravity factor", "string", "log(t - 1)")
 NOWHERE = section("nowhere") + parameter("type", "string", "displacement") + parameter("set", "string", "right") + \
     parameter("y", "string", "log(t - 1)") + "</ParameterList>\n"
 CONE = [("type", "string", "mohr-coulomb"), *ELASTIC[1:], ("cohesion", "double", "5e3"),
@@ -518,15 +525,27 @@ DECKS = [
                                                          parameter("reset displacements", "bool", "false")),
           "stages/geostatic/reset displacements: a geostatic stage always sets the displacements to zero"),
     Wrong("underconsolidated", ('value="1.5"', 'value="0.5"'),
-          "physics/ground/initial state: material 'clay' cannot start at (0.0112702, 0.0112702): the overconsolidation ratio must be at "
-          "least 1; it is 0.5", at=section("initial state")),
+          "physics/ground/initial state/overconsolidation ratio: 0.5 is out of range; allowed: [1, inf)",
+          at=parameter("overconsolidation ratio", "double", "0.5")),
     Wrong("overconsolidation that nothing follows", (SKELETON, ELASTIC_LAW),
           "physics/ground/initial state/overconsolidation ratio: no law of this model follows it, and without a "
           "'K0 friction angle [deg]' the earth pressure at rest does not either",
           at=parameter("overconsolidation ratio", "double", "1.5"), ranks=BOTH),
     Wrong("a value that is no number at some time", (section("far side"), NOWHERE + section("far side")),
-          "boundary conditions/nowhere: its value is not finite at t = 0 s in stage 'geostatic'; allowed: finite numbers",
-          at=section("nowhere"), ranks=BOTH),
+          "boundary conditions/nowhere/y: the value of 'log(t - 1)' is not finite at t = 0 s; allowed: finite numbers",
+          at=parameter("y", "string", "log(t - 1)"), ranks=BOTH),
+    Wrong("a load that is no number at some time", (section("far side"), PRESSED + section("far side")),
+          "boundary conditions/pressed/value: the value of '1e3 * sqrt(t - 1)' is not finite at t = 0 s; allowed: finite numbers",
+          at=parameter("value", "string", "1e3 * sqrt(t - 1)"), ranks=BOTH),
+    Wrong("a motion that is no number at some time", (VELOCITY, SPEEDING),
+          "bodies/ball/motion/velocity y: the value of 'log(t - 1)' is not finite at t = 3.47159e-07 s; allowed: finite numbers",
+          at=SPEEDING, ranks=BOTH),
+    Wrong("an earth pressure that is negative somewhere", (parameter("K0", "double", "0.6"), RESTING),
+          "physics/ground/initial state/K0: the value of '-0.1 + 0 * x' is -0.1 at (0.0112702, 0.0112702); allowed: [0, inf)",
+          at=RESTING),
+    Wrong("gravity that is no number", (PULLED, PULLED + SWINGING),
+          "physics/ground/gravity factor: the value of 'log(t - 1)' is not finite at t = 0 s; allowed: finite numbers",
+          at=SWINGING, ranks=BOTH),
     Wrong("geostatic without gravity", without("      " + parameter("gravity", "Array(double)", "{0.0, -9.81}") + "\n"),
           "physics/ground/initial state/type: a geostatic start needs gravity: give the physics a 'gravity'",
           at=parameter("type", "string", "geostatic")),

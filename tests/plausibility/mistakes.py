@@ -184,6 +184,8 @@ MISTAKES = [
     ("weight", {P + "gravity factor": 1.0}, "sudden weight"),
     ("sand", {P + "gravity": 0.0, P + "initial state": None, B + "drained": {"type": "hydrostatic pressure", "set": "top", "water level": 0.0}},
      "gravity"),
+    ("block", {P + "mass damping": 0.1}, "damping of inertia"),
+    ("block", {S + "press/reset displacements": True, S + "again": steps("quasi-static", 1.0, 0.1)}, "displacement after reset"),
     # strength
     ("dry sand", {LAW + "friction angle [deg]": 0.56, LAW + "dilation angle [deg]": 0.0, START + "K0": 0.995}, "friction angle"),
     ("dry sand", {LAW + "friction angle [deg]": 0.62, LAW + "dilation angle [deg]": 0.0, START + "K0": 0.995}, "friction angle"),
@@ -238,7 +240,7 @@ MISTAKES = [
     ("elastic", {START + "K0": 50.0}, "K0"),
     ("elastic", {START + "K0": 0.1}, "K0"),
     ("clay", {START + "K0": None, START + "K0 friction angle [deg]": 0.44}, "K0 friction angle"),
-    ("elastic", {START + "K0": None, START + "K0 friction angle [deg]": 30.0, START + "overconsolidation ratio": 0.5},
+    ("elastic", {START + "K0": None, START + "K0 friction angle [deg]": 30.0, START + "overconsolidation ratio": 90.0},
      "overconsolidation"),
     ("elastic", {START + "water level": -3.0, B + "drained/value": -29430.0}, "suction"),
     ("elastic", {M + "retention": {"type": "van genuchten", "reference suction": 10.0}}, "reference suction"),

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/guarded.hpp"
+#include "core/told.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "tensor/vec.hpp"
 

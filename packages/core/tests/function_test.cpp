@@ -29,6 +29,22 @@ TEST(Function, ConstantKeepsItsValue) {
   EXPECT_EQ(f.text(), "2.5");
 }
 
+TEST(Function, WithinARangeItNamesThePlaceOfAnotherValue) {
+  const Point place{0.5, -2.0, 0.0};
+  const Function depth = make_expression("2*y").within(non_negative(), "deck.xml:3: K0: ", 2);
+  EXPECT_EQ(depth(0.0, {0.0, 3.0, 0.0}), 6.0);
+  EXPECT_EQ(input_error([&] { depth(0.0, place); }),
+            "deck.xml:3: K0: the value of '2*y' is -4 at (0.5, -2); allowed: [0, inf)");
+  const Function root = make_expression("sqrt(t-1)").within(any(), "deck.xml:4: load: ", 2);
+  EXPECT_EQ(root(5.0, place), 2.0);
+  EXPECT_EQ(input_error([&] { root(0.5, place); }),
+            "deck.xml:4: load: the value of 'sqrt(t-1)' is not finite at t = 0.5 s; allowed: finite numbers");
+  const Function both = make_expression("t/z", 3).within(any(), "deck.xml:5: load: ", 3);
+  EXPECT_EQ(input_error([&] { both(0.5, place); }),
+            "deck.xml:5: load: the value of 't/z' is not finite at t = 0.5 s, (0.5, -2, 0); allowed: finite numbers");
+  EXPECT_FALSE(std::isfinite(make_expression("sqrt(t-1)")(0.5, place)));  // without a range any value is returned
+}
+
 TEST(Expression, KnowsTimePositionAndPi) {
   const Function f = make_expression("10*sin(pi*t) + x - 2*y");
   EXPECT_NEAR(f(0.5, {3.0, 4.0, 0.0}), 10.0 + 3.0 - 8.0, 1e-12);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/told.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"

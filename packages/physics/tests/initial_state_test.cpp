@@ -196,7 +196,7 @@ TEST(InitialState, ContradictionsAreNamed) {
   has(start(text_parameter("type", "uniform") + number_parameter("preoverburden pressure", 1)),
       "preoverburden pressure: has a meaning only with 'type' = geostatic");
   has(gravity + start(geostatic + number_parameter("K0 friction angle [deg]", 95)),
-      "the K0 friction angle must be in [0, 90) degrees");
+      "K0 friction angle [deg]: 95 is out of range; allowed: [0, 90)");
   has(gravity + text_parameter("pore pressure", "excess") + start(geostatic + number_parameter("water level", 1)),
       "its level has no effect");
   for (const char* entry : {"K0", "surcharge", "water level"})

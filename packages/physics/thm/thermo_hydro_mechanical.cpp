@@ -135,7 +135,7 @@ void ThermoHydroMechanical::parameters(Parameters& p) {
   pore_water_parameters(p);
   p.add("reference temperature", reference_, "degC", open(-100, 1000),
         "at which densities and conductivities are as given");
-  p.add_of_place("initial temperature", initial_, "degC",
+  p.add_of_place("initial temperature", initial_, "degC", any(),
                  "at the start, a function of position; that of reference where it is not given");
   initial_given_ = p.given("initial temperature");
   p.add("water heat capacity", water_.capacity, "J/(kg K)", positive(), "of the pore water, per mass");

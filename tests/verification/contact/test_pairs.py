@@ -120,6 +120,15 @@ class Pairs(SlidingBlocks):
         self.assertIn("only with 'enforcement' = augmented Lagrangian", message("contacts/face/enforcement=penalty"))
         with open(os.path.join(os.path.dirname(self.deck("blocks")), "blocks.geo")) as file:
             geometry = file.read()
+        named = self.write("named.geo", geometry + 'Physical Curve("sole") = {5};\n')
+        for slave, master in (("lower top", "upper bottom"), ("sole", "lower top")):
+            twin = self.write("twin.xml", deck_text("twin", {"contacts": {"twin": {
+                "type": "mortar", "slave": slave, "master": master, "gap tolerance": 1e-14}}}))
+            done = program(["check", self.deck("blocks"), twin, "--set", f"mesh/file={named}"], 1, self.folder)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(f"twin.xml:3: contacts/twin: presses surface '{slave}' with surface '{master}' in stage 'press', as contact "
+                          "'face' does on some of the same sides, surface 'upper bottom' with surface 'lower top': the traction "
+                          "would count twice; allowed: one of them in a stage", done.stderr)
         sunk = self.write("sunk.geo", geometry.replace("{0, 0, 0, 1.1", "{0, -0.2, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, -0.2, 0, 0.9"))
         self.assertIn("the mesh lies over itself", message(f"mesh/file={sunk}"))
         apart = self.write("apart.geo", geometry.replace("{0, 0, 0, 1.1", "{0, 0.001, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, 0.001, 0, 0.9"))

@@ -82,8 +82,8 @@ class Layers(StrengthCase):
     def test_both_ways_to_say_the_same_are_refused(self):
         for settings, what in ((("K0=0.5",), "give either this or 'K0'"),
                                (("overconsolidation ratio=2",), "give either this or 'overconsolidation ratio'"),
-                               (("preoverburden pressure=-1e3",), "the preoverburden pressure is negative"),
-                               (("K0 friction angle [deg]=90",), "the K0 friction angle must be in [0, 90) degrees")):
+                               (("preoverburden pressure=-1e3",), "preoverburden pressure: -1000 is out of range; allowed: [0, inf)"),
+                               (("K0 friction angle [deg]=90",), "K0 friction angle [deg]: 90 is out of range; allowed: [0, 90)")):
             arguments = ["run", "-q", self.deck("initial_state", "layers")]
             for setting in settings:
                 arguments += ["--set", "physics/ground/initial state/" + setting]
@@ -139,7 +139,9 @@ class FromStrength(StrengthCase):
         for settings, words in (
                 (("undrained strength=1e3",),
                  "an undrained strength of 1000 Pa is less than that of normally consolidated soil, "),
-                (("undrained strength=-1e3",), "the undrained strength must be positive"),
+                (("undrained strength=-1e3",), "undrained strength: -1e3 is out of range; allowed: (0, inf)"),
+                (("undrained strength=1e3*y",),
+                 "undrained strength: the value of '1e3*y' is -"),
                 (("undrained strength=9e9",), "what the strength of 'modified cam clay' under sigma'_v = "),
                 (("overconsolidation ratio=2",),
                  "undrained strength: give either this or 'overconsolidation ratio', not both"),
