@@ -62,9 +62,8 @@ std::vector<std::string> base_decks();
 std::string base_deck_file(const std::string& name);
 /// Default name of the results, taken from the first deck's file.
 std::string result_name(const DeckOptions& options);
-/// Throws InputError for a function that no entry of the deck names; not where overlays or settings may have replaced
-/// the entry.
-void refuse_unused_functions(const Section& root);
+/// Throws InputError for a function that no entry of the deck names, nor one that an overlay or a setting replaces.
+void refuse_unused_functions(const Deck& deck, const Section& root);
 /// Whether a deck is for `mudline point` alone: it has tests but nothing to mesh.
 bool is_point_deck(const Deck& deck);
 /// The documentation of all types and sections, with the types of a plugin ("": none).

@@ -132,7 +132,7 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
     else if (!unused.empty())
       d->root->fail("unknown parameter", unused.front());
   }
-  if (idle.empty()) refuse_unused_functions(*d->root);
+  if (idle.empty()) refuse_unused_functions(d->deck, *d->root);
   if (!idle.empty()) log::info("not needed here and not read: " + join(idle));
   return d;
 }

@@ -76,15 +76,20 @@ std::string result_name(const DeckOptions& options) {
   return std::filesystem::path(options.decks.front()).stem().string();
 }
 
-void refuse_unused_functions(const Section& root) {
+void refuse_unused_functions(const Deck& deck, const Section& root) {
   const std::vector<std::string> sections = root.section_names();
-  const Section functions = root.section("functions");
-  for (const std::string& name : root.functions().names())
-    if (!root.has_entries_apart(functions.source(name)) &&
-        std::none_of(sections.begin(), sections.end(), [&](const std::string& section) {
-          return section != "functions" && mentions(root.section(section).list(), name);
-        }))
-      functions.fail("no entry names this function", name);
+  const auto used = [&](const std::string& name) {
+    return mentions(deck.elsewhere(), name) ||
+           std::any_of(sections.begin(), sections.end(), [&](const std::string& section) {
+             return section != "functions" && mentions(root.section(section).list(), name);
+           });
+  };
+  std::vector<std::string> named, idle;
+  for (const std::string& name : root.functions().names()) (used(name) ? named : idle).push_back(name);
+  if (idle.empty()) return;
+  const std::string near = nearest(idle.front(), named);
+  root.section("functions")
+      .fail("no entry names this function" + (near.empty() ? "" : " (did you mean '" + near + "'?)"), idle.front());
 }
 
 bool is_point_deck(const Deck& deck) { return deck.list().isSublist("tests") && !deck.list().isSublist("mesh"); }

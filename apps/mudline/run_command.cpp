@@ -103,7 +103,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   loaded->observers = read_observers(loaded->root->section("output"), loaded->registries.observers, *loaded->model);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
-  refuse_unused_functions(*loaded->root);
+  refuse_unused_functions(loaded->deck, *loaded->root);
   check_output(*loaded->model, loaded->output, *loaded->root);
   check_foreign_code();
   return loaded;

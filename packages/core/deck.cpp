@@ -27,9 +27,14 @@ void refuse_other_unit(const Teuchos::ParameterList& list, const std::string& na
                      was->text + "', the value that it replaces");
 }
 
-/// Entries of `over` replace those of `base`; sections merge.
+/// Adds an entry to a list in which names have no meaning.
+void keep(const Teuchos::ParameterEntry& entry, Teuchos::ParameterList& in) {
+  in.setEntry("entry " + std::to_string(in.numParams()), entry);
+}
+
+/// Entries of `over` replace those of `base`, which are kept in `replaced`; sections merge.
 void merge(Teuchos::ParameterList& base, Sources& base_sources, const Teuchos::ParameterList& over,
-           const Sources& over_sources, const std::string& path) {
+           const Sources& over_sources, const std::string& path, Teuchos::ParameterList& replaced) {
   for (auto it = over.begin(); it != over.end(); ++it) {
     const std::string& name = over.name(it);
     const std::string full = join_path(path, name);
@@ -41,9 +46,10 @@ void merge(Teuchos::ParameterList& base, Sources& base_sources, const Teuchos::P
     if (entry.isList()) {
       base_sources.emplace(full, over_sources.at(full));
       merge(base.sublist(name), base_sources, Teuchos::any_cast<Teuchos::ParameterList>(entry.getAny(false)),
-            over_sources, full);
+            over_sources, full, replaced);
     } else {
       refuse_other_unit(base, name, entry, over_sources.at(full), full);
+      if (base.isParameter(name)) keep(base.getEntry(name), replaced);
       base_sources[full] = over_sources.at(full);
       base.setEntry(name, entry);
     }
@@ -133,7 +139,9 @@ void Deck::overlay(const std::string& xml_text, const std::string& file_name) {
 void Deck::overlay(const Deck& over) {
   if (folder_.empty()) folder_ = over.folder_;
   sources_->emplace("", over.sources_->at(""));
-  merge(*list_, *sources_, *over.list_, *over.sources_, "");
+  merge(*list_, *sources_, *over.list_, *over.sources_, "", elsewhere_);
+  for (auto it = over.elsewhere_.begin(); it != over.elsewhere_.end(); ++it)
+    keep(over.elsewhere_.entry(it), elsewhere_);
 }
 
 void Deck::base_on(const Deck& base) {
@@ -163,7 +171,7 @@ Deck Deck::take_section(const std::string& name) {
   *taken.list_ = list_->sublist(name);
   for (const auto& [path, source] : *sources_)
     if (path.rfind(name + "/", 0) == 0) taken.sources_->emplace(path.substr(name.size() + 1), source);
-  taken_.sublist(name) = *taken.list_;
+  keep(list_->getEntry(name), elsewhere_);
   list_->remove(name);
   return taken;
 }
@@ -200,13 +208,14 @@ void Deck::set(const std::string& assignment) {
   const auto entry = replacement(*list, names.back(), trim(assignment.substr(equals + 1)));
   refuse_non_finite(entry, position, path);
   refuse_other_unit(*list, names.back(), entry, position, path);
+  if (list->isParameter(names.back())) keep(list->getEntry(names.back()), elsewhere_);
   list->setEntry(names.back(), entry);
   (*sources_)[path] = position;
 }
 
 Section Deck::root() {
   refuse_misspelt_settings(*list_, *sources_, "");
-  const Variables variables(*list_, *sources_, taken_);
+  const Variables variables(*list_, *sources_, elsewhere_);
   auto quantities = std::make_shared<ValuesWithUnits>();
   variables.replace_formulas(*list_, *sources_, *quantities);
   Registry<FunctionDefinition> types("function");

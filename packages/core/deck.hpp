@@ -41,6 +41,8 @@ class Deck {
   Section root();
 
   const Teuchos::ParameterList& list() const { return *list_; }
+  /// What other entries have replaced, and sections that were taken out: what they name is not superfluous.
+  const Teuchos::ParameterList& elsewhere() const { return elsewhere_; }
   /// Where an entry was written, "deck.xml:12"; of one that is not given, where the innermost section around it was.
   std::string position(const std::string& path = "") const;
   /// The deck written back as Teuchos XML (for the result file), overlays and settings applied.
@@ -49,7 +51,7 @@ class Deck {
  private:
   std::shared_ptr<Teuchos::ParameterList> list_ = std::make_shared<Teuchos::ParameterList>("deck");
   std::shared_ptr<Sources> sources_ = std::make_shared<Sources>();
-  Teuchos::ParameterList taken_;  // sections that were taken out
+  Teuchos::ParameterList elsewhere_;
   std::string folder_;
 };
 

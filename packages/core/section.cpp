@@ -52,14 +52,6 @@ const std::vector<std::optional<ValueWithUnit>>* Section::quantities(const std::
   return found == quantities_->end() ? nullptr : &found->second;
 }
 
-bool Section::has_entries_apart(const std::string& source) const {
-  const std::vector<std::string> parameters = parameter_names(), sections = section_names();
-  return std::any_of(parameters.begin(), parameters.end(),
-                     [&](const std::string& name) { return apart(this->source(name), source); }) ||
-         std::any_of(sections.begin(), sections.end(),
-                     [&](const std::string& name) { return section(name).has_entries_apart(source); });
-}
-
 std::string Section::name() const {
   const auto slash = path_.rfind('/');
   return slash == std::string::npos ? path_ : path_.substr(slash + 1);

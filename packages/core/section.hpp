@@ -59,9 +59,6 @@ class Section {
   /// Where `entry` (or this section) was written, "deck.xml:12"; of an absent one, where its section was.
   std::string source(const std::string& entry = "") const;
 
-  /// True where a parameter of this section, or below it, comes from another file than `source`, or from --set.
-  bool has_entries_apart(const std::string& source) const;
-
   /// Throws InputError for the first sublist whose name is not in `allowed`, with a suggestion.
   void allow_sections(const std::vector<std::string>& allowed) const;
   /// Throws InputError for the first parameter whose name is not in `allowed`, with a suggestion.

@@ -253,9 +253,15 @@ void Variables::replace_formulas(Teuchos::ParameterList& deck, const Sources& so
 
 void Variables::refuse_unused(const Section& root) const {
   const Section variables = root.section(section_name);
+  std::vector<std::string> used = variables.parameter_names();
+  used.erase(std::remove_if(used.begin(), used.end(), [&](const auto& name) { return words_.count(name) == 0; }),
+             used.end());
   for (const std::string& name : variables.parameter_names()) {
-    if (words_.count(name) == 0 && !root.has_entries_apart(variables.source(name)))
-      variables.fail("no value names this variable (texts name it in braces, {" + name + "})", name);
+    const std::string near = words_.count(name) == 0 ? nearest(name, used) : "";
+    if (words_.count(name) == 0)
+      variables.fail("no value names this variable" + (near.empty() ? " (texts name it in braces, {" + name + "})"
+                                                                    : " (did you mean '" + near + "'?)"),
+                     name);
     variables.list().getEntry(name).getAny();  // now it counts as read
   }
 }

@@ -16,8 +16,8 @@ namespace mudline {
 /// written with others, in any order.
 class Variables {
  public:
-  /// Reads the section of `deck` and works its entries out. `elsewhere`: a part that was taken out of the deck, whose
-  /// values may name variables too. InputError with path and line.
+  /// Reads the section of `deck` and works its entries out. `elsewhere`: what was taken out of the deck or
+  /// replaced, whose values may name variables too. InputError with path and line.
   Variables(const Teuchos::ParameterList& deck, const Sources& sources, const Teuchos::ParameterList& elsewhere);
 
   /// Replaces every formula in the deck by its value: {expression} in texts by its text; numbers are expressions of
@@ -25,8 +25,7 @@ class Variables {
   /// line.
   void replace_formulas(Teuchos::ParameterList& deck, const Sources& sources, ValuesWithUnits& quantities,
                         const std::string& path = "") const;
-  /// InputError for a variable that no value names. Decks of several files, or with settings, may overrule its uses;
-  /// they are not checked. All variables count as read afterwards.
+  /// InputError for a variable that no value names, here or `elsewhere`. All variables count as read afterwards.
   void refuse_unused(const Section& root) const;
 
  private:

@@ -114,6 +114,36 @@ TEST(Variables, OwnMistakesToo) {
             "deck.xml:3: variables/a: a section; a variable is a number, a text or a bool");
   EXPECT_EQ(error_of_variables(parameter("a", "double", "1"), parameter("value", "string", "a*t")),
             "deck.xml:3: variables/a: no value names this variable (texts name it in braces, {a})");
+}
+
+TEST(Variables, OverlaysAndSettingsNameThemToo) {
+  const std::string base = deck_text(parameter("load", "double", "2"), parameter("value", "double", "3*load"));
+  const auto error = [&](const std::vector<std::string>& overlays, const std::vector<std::string>& settings) {
+    Deck deck;
+    deck.overlay(base, "deck.xml");
+    for (const std::string& overlay : overlays) deck.overlay(overlay, "over.xml");
+    for (const std::string& setting : settings) deck.set(setting);
+    return input_error([&] { deck.root(); });
+  };
+  const std::string misspelt = "no value names this variable (did you mean 'load'?)";
+  EXPECT_EQ(error({}, {"variables/laod=5"}), "--set variables/laod=5: variables/laod: " + misspelt);
+  EXPECT_EQ(error({deck_text(parameter("laod", "double", "5"), "")}, {}), "over.xml:3: variables/laod: " + misspelt);
+  EXPECT_EQ(error({deck_text(parameter("laod", "double", "5"), "")}, {"other=3"}),
+            "over.xml:3: variables/laod: " + misspelt);
+  const auto valid = [&](const std::vector<std::string>& overlays, const std::vector<std::string>& settings) {
+    Deck deck;
+    deck.overlay(base, "deck.xml");
+    for (const std::string& overlay : overlays) deck.overlay(overlay, "over.xml");
+    for (const std::string& setting : settings) deck.set(setting);
+    return deck.root().list().get<double>("value");
+  };
+  EXPECT_EQ(valid({}, {"variables/load=5"}), 15);
+  EXPECT_EQ(valid({}, {"value=7"}), 7) << "its only use is replaced";
+  EXPECT_EQ(valid({deck_text("", parameter("value", "double", "7"))}, {}), 7);
+  EXPECT_EQ(valid({deck_text(parameter("share", "double", "2"), parameter("value", "double", "load*share"))}, {}), 4);
+}
+
+TEST(Variables, AMisspeltSectionIsNamed) {
   Deck misspelt;
   misspelt.overlay("<ParameterList>\n" + section_xml("variable", parameter("a", "double", "1")) +
                        parameter("value", "double", "2*a") + "</ParameterList>\n",
