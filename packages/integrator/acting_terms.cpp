@@ -76,8 +76,8 @@ int ActingTerms::evaluate_term(Term& term, const StepView& view, const NodalView
     failed = term.residual(view, to);
     check_foreign_code(&before);  // before the ranks wait for each other, by files that may be gone
     if (failed == 0 && !finite(force)) problem = ", which gives a force or flux that is not finite";
-  } catch (const InputError&) {
-    throw;  // a number of the deck, of which the message tells the place
+  } catch (const InputError& error) {
+    problem = std::string(": ") + error.what();  // a number of the deck that is wrong at this time
   } catch (...) {
     problem = ", which throws: " + fault_thrown();
   }

@@ -52,6 +52,18 @@ class Endings(MudlineCase):
         self.assertEqual(list(whole[:len(accepted)]), list(accepted))
         self.assertAlmostEqual(whole[-1], 0.005)
 
+    def test_a_load_that_is_no_number_for_a_while(self):
+        """Between the times at which the checks look: the run names the load's entry, and keeps what it has."""
+        done = program(["run", "-q", TERZAGHI, "--set", "mesh/cells={1, 4}", "--set", "stages/consolidation/time step/maximum=10",
+                        "--set", "boundary conditions/load/y=t > 53 && t < 70 ? sqrt(40 - t) : -20e3"], folder=self.folder)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("traction/load: --set boundary conditions/load/y=t > 53 && t < 70 ? sqrt(40 - t) : -20e3: boundary conditions/load/y: "
+                      "the value of 't > 53 && t < 70 ? sqrt(40 - t) : -20e3' is not finite at t = 53", done.stderr.splitlines()[-1])
+        time = History(self.result("terzaghi", ".csv")).time
+        self.assertGreater(len(time), 50)
+        self.assertAlmostEqual(time[-1], 53, 3)
+        self.assertTrue(os.path.exists(self.result("terzaghi", ".restart")))
+
     def test_text_that_nobody_takes(self):
         """Standard output on a full disk: exit code 1 and one line, whatever the command; what else was asked for is done."""
         small = ["--set", "mesh/cells={1, 4}", "--set", "stages/consolidation/duration=1.0"]
