@@ -158,7 +158,7 @@ void Plausibility::tell_materials() {
     for (int q = 0; q < at.block.points; ++q) {
       const int row = first + q;
       auto& of = found[at.points.material(row).name];
-      of[shear].add(one ? at.shear : at.points.moduli(row).shear);
+      of[shear].add(at.points.moduli(row).shear);
       if (at.block.porous() && one) of[cv].add(at.consolidation);
       const double* stress = at.points.stress(row);
       const SoilState soil = at.points.soil_state(row);

@@ -34,11 +34,13 @@ PointView rows_of(const RunView& run) {
   return run.state.arrays[store.find(at_the_start)];
 }
 
-/// Whether the body of a contact is still where it was when the stage began.
+/// Whether the body of a contact is still where it was when the stage began. One that is held by forces may give way a
+/// little.
 bool rests(const Model& model, const Contact& contact, const PointView& start, std::size_t k) {
   const Point position = {start(k, place), start(k, place + 1), start(k, place + 2)};
-  return length(contact.partners().body->position(model.store().committed()) - position) <
-         0.01 * pressed_half_width(model, contact);
+  const RigidBody& body = *contact.partners().body;
+  const double allowed = body.released() ? 0.01 : 1e-6;  // of the half width
+  return length(body.position(model.store().committed()) - position) < allowed * pressed_half_width(model, contact);
 }
 
 /// Area of the side and volume of its element [m2, m3], both without the length out of the plane.
@@ -158,9 +160,9 @@ void WallDissipation::results(const RunView& run, ResultTable& to) {
       area_now += wall.area;
       now += wall.area * wall.pressure;
     }
-    if (!at_rest)
+    if (!at_rest || (area_before > 0 && !(area_now > 0)))  // it moves, or has left the soil
       of_wall.forget();
-    else if (area_before > 0 && area_now > 0)
+    else if (area_before > 0)
       of_wall.follow(run.state.time - run.stage_start, run.dt, now / area_now, before / area_before);
   }
 }

@@ -4,7 +4,7 @@ import os
 import unittest
 
 import numpy as np
-from mudline_case import History, deck_text
+from mudline_case import ROOT, History, deck_text
 from restart_test import RestartCase, settings
 from stages_test import ANCHOR, COLUMN, TERZAGHI
 
@@ -43,6 +43,20 @@ class Results(RestartCase):
             self.assertAlmostEqual(found[stage, "anchor", "depth at the highest resistance"],
                                    depth[rows][force[rows].argmax()], places=9)
             starts = end + 1
+
+    def test_a_plate_that_is_lifted_has_no_wall_pressure(self):
+        """By less than a hundredth of its half width, at which a body that forces hold still rests."""
+        plate = [os.path.join(ROOT, "inputs", "contact", "sliding_plate.xml"), *settings("contacts/face/drainage=sealed")]
+        for name, way in (("lifted", "-1e-4*min(t,1) + 2e-3*max(0,t-1.5)"), ("rests", "-1e-4*min(t,1)")):
+            self.runs(*plate, *settings(f"output/name={name}", "bodies/plate/motion/x=0*t", f"bodies/plate/motion/y={way}"))
+            pressure = self.results(name).get(("pull", "plate", "excess pore pressure on the wall at the end"))
+            area = History(self.result(name, ".csv"))["contact/face/contact area"]
+            if name == "rests":
+                self.assertGreater(pressure, 0)
+                self.assertGreater(area[-1], 0)
+            else:
+                self.assertIsNone(pressure)
+                self.assertEqual(area[-1], 0)
 
     def test_the_same_after_a_restart(self):
         deck = [*ANCHOR, *settings("output/name=anchor")]

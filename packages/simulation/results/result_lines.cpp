@@ -56,7 +56,9 @@ class Line {
   void add_force(const std::string& name) {
     const std::string parts = name == "resistance" ? parts_of_resistance() : "";
     const Result* const force = take(name);
-    const std::string extremes = force == nullptr ? "" : extreme(*force, "highest", 1) + extreme(*force, "lowest", -1);
+    std::string extremes = force == nullptr ? "" : extreme(*force, "highest", 1) + extreme(*force, "lowest", -1);
+    if (const Result* const ratio = name == "resistance" ? take("set-up ratio") : nullptr)
+      extremes += ", at its highest " + told(ratio->value, "%.3g") + " times that before the rest";
     if (force != nullptr && size_of(name) > small_ * largest_force())
       add(name + " " + value(*force) + parts + extremes);
   }
@@ -75,12 +77,11 @@ class Line {
   }
   std::string parts_of_resistance() {
     const Result *const tip = take("tip resistance"), *const shaft = take("shaft resistance"),
-                        *const mean = take("resistance over its section"), *const ratio = take("set-up ratio");
+                        *const mean = take("resistance over its section");
     std::string text = all_.find("", of_, modelled_share) != nullptr ? " of the half, per metre" : "";
     if (tip != nullptr && shaft != nullptr && shaft->value != 0)
       text += " (tip " + value(*tip) + ", shaft " + value(*shaft) + ")";
     if (mean != nullptr) text += ", " + value(*mean) + " over its section";
-    if (ratio != nullptr) text += ", " + told(ratio->value, "%.3g") + " times that before the rest";
     return text;
   }
   /// ", at most 9.5 kN at 0.63 m": where it is larger than the force at the end, in the direction of the sign.
@@ -125,6 +126,8 @@ class Line {
   /// A factor of safety with its bracket, in more digits than others.
   void add_safety() {
     const Result *const found = take(factor_of_safety), *const lost = take(factor_without_equilibrium);
+    if (const Result* const reached = take(factor_with_equilibrium))
+      add("factor of safety above " + told(reached->value, "%.5g"));
     if (found == nullptr || lost == nullptr) return;
     add("factor of safety " + told(found->value, "%.5g") + "; no equilibrium at " + told(lost->value, "%.5g"));
   }

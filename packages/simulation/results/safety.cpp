@@ -25,9 +25,13 @@ void SafetyResults::columns(const RunView& run, std::vector<HistoryValue>& row) 
 }
 
 void SafetyResults::end_stage(const RunView& run) {
-  if (!(run.lost_factor > 0)) return;
-  table_.set(run.stage.name, reduction_name, factor_of_safety, "-", strength_factor(run));
-  table_.set(run.stage.name, reduction_name, factor_without_equilibrium, "-", run.lost_factor);
+  const std::string& stage = run.stage.name;
+  // a run that goes on from a stage which is over has its factors already
+  if (!run.stage.strength_reduction.acts() || table_.find(stage, reduction_name, factor_of_safety)) return;
+  const bool lost = run.lost_factor > 0;
+  table_.set(stage, reduction_name, lost ? factor_of_safety : factor_with_equilibrium, "-", strength_factor(run));
+  if (!lost) return;
+  table_.set(stage, reduction_name, factor_without_equilibrium, "-", run.lost_factor);
 }
 
 }  // namespace mudline

@@ -7,9 +7,10 @@ namespace mudline {
 
 constexpr const char* factor_of_safety = "factor of safety";  // names of results
 constexpr const char* factor_without_equilibrium = "factor without equilibrium";
+constexpr const char* factor_with_equilibrium = "factor with equilibrium";  // where no larger one was tried
 
 /// The factor by which a strength reduction divides strengths, in the history, and the factor of safety that a stage
-/// finds by it, in the results.
+/// finds by it, or the factor up to which it finds equilibrium, in the results.
 class SafetyResults : public Observer {
  public:
   /// `table`: kept with the run's progress.
