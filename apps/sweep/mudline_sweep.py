@@ -49,18 +49,19 @@ def run(sweep, index, folder, program, extra):
     return code
 
 
-def gather(sweep, folder):
+def history_of(sweep, index, folder):
+    return folder / f"{index + 1:02d}" / f"{sweep.path.stem}.csv"
+
+
+def gather(sweep, folder, cases):
     """One row per case: variables, then results."""
     table = []
-    for index in range(sweep.cases):
-        path = folder / f"{index + 1:02d}" / f"{sweep.path.stem}.csv"
-        if not path.is_file():
-            raise SweepError(f"case {index + 1} has no history: {path}")
-        columns = outcome(path)
+    for index in cases:
+        columns = outcome(history_of(sweep, index, folder))
         case = sweep.case(index)
         row = dict(case)
         for name, formula in sweep.results.items():
-            row[name] = Formula(formula, f"{sweep.path}: results/{name}").value(case, columns)
+            row[name] = Formula(formula, f"{sweep.path}: results/{name}, case {index + 1}").value(case, columns)
         table.append(row)
     return table
 
@@ -101,8 +102,7 @@ def main(arguments):
             if "=" not in setting:
                 raise SweepError(f"--set {setting}: expected section/parameter=value, such as stages/push/duration=2.0")
         sweep = SweepDeck(options.deck)
-        for index in range(sweep.cases):
-            sweep.settings_of(index)  # wrong formulas are found before the first run
+        sweep.check()
         folder = Path(options.folder) / sweep.path.stem
         if not options.gather:
             program = os.environ.get("MUDLINE_PROGRAM")
@@ -110,9 +110,14 @@ def main(arguments):
                 raise SweepError("start the sweep by `mudline sweep`, which knows the program")
             with ThreadPoolExecutor(options.jobs) as pool:
                 codes = list(pool.map(lambda i: run(sweep, i, folder, program, options.set), range(sweep.cases)))
-            if any(codes):
-                raise SweepError(f"{sum(c != 0 for c in codes)} of {sweep.cases} runs failed; their logs are in {folder}")
-        table = gather(sweep, folder)
+            done = [index for index, code in enumerate(codes) if code == 0]
+            lost = f"{sweep.cases - len(done)} of {sweep.cases} runs failed; their logs are in {folder}"
+        else:
+            done = [index for index in range(sweep.cases) if history_of(sweep, index, folder).is_file()]
+            lost = f"{sweep.cases - len(done)} of {sweep.cases} cases have no history in {folder}"
+        if not done:
+            raise SweepError(lost)
+        table = gather(sweep, folder, done)
         stem = Path(options.folder) / sweep.path.stem
         with open(f"{stem}.csv", "w", newline="") as file:
             writer = csv.DictWriter(file, table[0].keys())
@@ -126,7 +131,10 @@ def main(arguments):
     for name in table[0]:
         print(f"{name:>{width}}  " + "  ".join(f"{row[name]:12.5g}" for row in table))
     print(f"done: {len(table)} runs; results in {stem}.{{csv,png}}")
-    return 0
+    if len(done) == sweep.cases:
+        return 0
+    print(f"error: {lost}; the table has the others", file=sys.stderr)
+    return 2
 
 
 if __name__ == "__main__":

@@ -80,6 +80,18 @@ class SweepDeck:
     def case(self, index):
         return {name: values[index] for name, values in self.variables.items()}
 
+    def check(self):
+        """Finds wrong formulas and variables that none names before the first run."""
+        named = set()
+        for section, formulas in (("settings", self.settings), ("results", self.results)):
+            for name, text in formulas.items():
+                named |= Formula(text, f"{self.path}: {section}/{name}").check(list(self.variables))
+        for name in self.variables:
+            if name not in named:
+                raise SweepError(f"{self.path}: variables/{name}: no setting and no result names this variable")
+        for index in range(self.cases):
+            self.settings_of(index)
+
     def settings_of(self, index):
         """["path=value", ...] of one case."""
         values = self.case(index)
@@ -115,6 +127,21 @@ class Formula:
             self.tree = ast.parse(text, mode="eval").body
         except SyntaxError:
             raise SweepError(f"{where}: '{text}' is no formula") from None
+
+    def check(self, variables):
+        """The names in it; refuses those that are unknown."""
+        names = set()
+        functions = [*FUNCTIONS, *OF_COLUMN, "at", "result"]
+        called = [node.func for node in ast.walk(self.tree) if isinstance(node, ast.Call)]
+        for node in ast.walk(self.tree):
+            if not isinstance(node, ast.Name):
+                continue
+            known = functions if node in called else [*variables, "pi"]
+            if node.id not in known:
+                kind = "function" if node in called else "variable"
+                raise SweepError(f"{self.where}: unknown {kind} '{node.id}'{did_you_mean(node.id, known)}")
+            names.add(node.id)
+        return names
 
     def value(self, variables, columns=None):
         return self._checked(self.tree, variables, columns)

@@ -92,6 +92,8 @@ class Sweeps(unittest.TestCase):
             ({"abscissa": "load [kP]"}, "did you mean 'load [kPa]'"),
             ({"load": "lod"}, "settings/boundary conditions/load/y: unknown variable 'lod' (did you mean 'load'?)"),
             ({"deck": "nowhere.xml"}, "there is no file"),
+            ({"result": "lst('a') / load"}, "results/pressure [-]: unknown function 'lst' (did you mean 'last'?)"),
+            ({"result": "1 / lod"}, "results/pressure [-]: unknown variable 'lod' (did you mean 'load'?)"),
         ):
             with self.subTest(message):
                 code, _, error = self.sweep(self.write(**settings))
@@ -129,6 +131,26 @@ class Sweeps(unittest.TestCase):
         self.assertEqual(code, 2)
         self.assertIn("3 of 3 runs failed", error)
         self.assertIn("did you mean", out)
+
+    @unittest.skipUnless(PROGRAM, "no program given")
+    def test_the_table_has_the_runs_that_did_not_fail(self):
+        os.environ["MUDLINE_PROGRAM"] = PROGRAM
+        path = self.write()
+        path.write_text(path.read_text().replace("2 * 0.5", "(7e3 - load) / 2e3"))  # s; only the first one is positive
+        for options, what in (((), "2 of 3 runs failed"), (("--gather",), "2 of 3 cases have no history")):
+            code, _, error = self.sweep(path, *options)
+            self.assertEqual(code, 2)
+            self.assertIn(what, error)
+            self.assertIn("the table has the others", error)
+            with open(Path(self.folder.name) / "results" / "loads.csv", newline="") as file:
+                self.assertEqual([float(row["load [kPa]"]) for row in csv.DictReader(file)], [5.0])
+
+    def test_a_variable_of_nothing(self):
+        path = self.write()
+        spare = '<Parameter name="spare" type="Array(double)" value="{1, 2, 3}"/>'
+        path.write_text(path.read_text().replace("</ParameterList>", spare + "</ParameterList>", 1))
+        with self.assertRaisesRegex(SweepError, "variables/spare: no setting and no result names this variable"):
+            SweepDeck(path).check()
 
     def test_variables_must_fit(self):
         path = self.write()
