@@ -17,7 +17,7 @@
 /// Text that must be equal in a plugin and in the program that loads it: interface version, compiler, Trilinos, build
 /// kind.
 #define MUDLINE_ABI \
-  "interface 21; gcc " MUDLINE_STRINGIFY(__GNUC__) "; Trilinos " TRILINOS_VERSION_STRING "; " MUDLINE_BUILD_KIND
+  "interface 22; gcc " MUDLINE_STRINGIFY(__GNUC__) "; Trilinos " TRILINOS_VERSION_STRING "; " MUDLINE_BUILD_KIND
 
 /// The body of a plugin, once per shared library:
 ///     MUDLINE_PLUGIN(registries) { registries.skeletons.add<mudline::PointwiseSkeleton<MyClay>>("my clay", "..."); }
