@@ -115,6 +115,7 @@ OF_COLUMN = {
     "largest": lambda column: float(np.max(column)),
     "mean": lambda column: float(np.mean(column)),
 }
+KNOWN_FUNCTIONS = [*FUNCTIONS, *OF_COLUMN, "at", "result"]
 
 
 class Formula:
@@ -131,12 +132,11 @@ class Formula:
     def check(self, variables):
         """The names in it; refuses those that are unknown."""
         names = set()
-        functions = [*FUNCTIONS, *OF_COLUMN, "at", "result"]
         called = [node.func for node in ast.walk(self.tree) if isinstance(node, ast.Call)]
         for node in ast.walk(self.tree):
             if not isinstance(node, ast.Name):
                 continue
-            known = functions if node in called else [*variables, "pi"]
+            known = KNOWN_FUNCTIONS if node in called else [*variables, "pi"]
             if node.id not in known:
                 kind = "function" if node in called else "variable"
                 raise SweepError(f"{self.where}: unknown {kind} '{node.id}'{did_you_mean(node.id, known)}")
@@ -153,6 +153,7 @@ class Formula:
         return f"{self.value(variables):.12g}"
 
     def _checked(self, tree, variables, columns=None):
+        self.check(list(variables))
         try:
             return self._value(tree, {**variables, "pi": math.pi}, columns)
         except (ZeroDivisionError, ValueError, OverflowError) as error:
@@ -162,9 +163,7 @@ class Formula:
         if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
             return node.value
         if isinstance(node, ast.Name):
-            if node.id in variables:
-                return variables[node.id]
-            raise SweepError(f"{self.where}: unknown variable '{node.id}'{did_you_mean(node.id, list(variables))}")
+            return variables[node.id]
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
             return OPERATORS[type(node.op)](self._value(node.left, variables, columns), self._value(node.right, variables, columns))
         if isinstance(node, ast.UnaryOp) and type(node.op) in OPERATORS:
@@ -177,9 +176,6 @@ class Formula:
         name = node.func.id
         if name in FUNCTIONS:
             return FUNCTIONS[name](*(self._value(argument, variables, columns) for argument in node.args))
-        if name not in OF_COLUMN and name not in ("at", "result"):
-            known = [*FUNCTIONS, *OF_COLUMN, "at", "result"]
-            raise SweepError(f"{self.where}: unknown function '{name}'{did_you_mean(name, known)}")
         if columns is None:
             raise SweepError(f"{self.where}: '{name}' needs a run's history; here are only variables")
         if name == "result":

@@ -81,9 +81,11 @@ void evaluate_loads(const Model& model, const Section& condition, double begin, 
     const auto given = Setup::function(condition, name);
     if (!given || given->is_constant()) continue;
     const Function function = given->within(any(), condition.origin(name), condition.dimension());
-    for (const Side& side : set->second)
-      for (int k = 0; k <= (function.steady() ? 0 : moments); ++k)
-        function(begin + duration * k / moments, middle_of(model.mesh(), side));
+    const int last = function.steady() ? 0 : moments;
+    for (const Side& side : set->second) {
+      const Point middle = middle_of(model.mesh(), side);
+      for (int k = 0; k <= last; ++k) function(begin + duration * k / moments, middle);
+    }
   }
 }
 

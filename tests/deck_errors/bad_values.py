@@ -535,13 +535,16 @@ DECKS = [
           "boundary conditions/nowhere/y: the value of 'log(t - 1)' is not finite at t = 0 s; allowed: finite numbers",
           at=parameter("y", "string", "log(t - 1)"), ranks=BOTH),
     Wrong("a load that is no number at some time", (section("far side"), PRESSED + section("far side")),
-          "boundary conditions/pressed/value: the value of '1e3 * sqrt(t - 1)' is not finite at t = 0 s; allowed: finite numbers",
+          "boundary conditions/pressed/value: the value of '1e3 * sqrt(t - 1)' is not finite at t = 0 s; allowed: "
+          "finite numbers",
           at=parameter("value", "string", "1e3 * sqrt(t - 1)"), ranks=BOTH),
     Wrong("a motion that is no number at some time", (VELOCITY, SPEEDING),
-          "bodies/ball/motion/velocity y: the value of 'log(t - 1)' is not finite at t = 3.47159e-07 s; allowed: finite numbers",
+          "bodies/ball/motion/velocity y: the value of 'log(t - 1)' is not finite at t = 3.47159e-07 s; allowed: "
+          "finite numbers",
           at=SPEEDING, ranks=BOTH),
     Wrong("an earth pressure that is negative somewhere", (parameter("K0", "double", "0.6"), RESTING),
-          "physics/ground/initial state/K0: the value of '-0.1 + 0 * x' is -0.1 at (0.0112702, 0.0112702); allowed: [0, inf)",
+          "physics/ground/initial state/K0: the value of '-0.1 + 0 * x' is -0.1 at (0.0112702, 0.0112702); allowed: "
+          "[0, inf)",
           at=RESTING),
     Wrong("gravity that is no number", (PULLED, PULLED + SWINGING),
           "physics/ground/gravity factor: the value of 'log(t - 1)' is not finite at t = 0 s; allowed: finite numbers",

@@ -26,10 +26,12 @@ DECKS = [
           "bodies/second ball: no contact, mesh motion or probe names this body, and no stage releases it", at=section("second ball")),
     Wrong("function of nothing", ('value="load history"', 'value="20e3"'), "functions/load history: no entry names this function",
           at=section("load history"), ranks=BOTH),
-    Wrong("variable of nothing, by a setting", [], "--set variables/spare=1: variables/spare: no value names this variable "
-          "(texts name it in braces, {spare})", line=False, settings=["variables/spare=1"], ranks=BOTH),
-    Wrong("function of nothing, by settings", [], "--set functions/lod history/type=constant: functions/lod history: no entry "
-          "names this function (did you mean 'load history'?)", line=False,
+    Wrong("variable of nothing, by a setting", [],
+          "--set variables/spare=1: variables/spare: no value names this variable (texts name it in braces, {spare})",
+          line=False, settings=["variables/spare=1"], ranks=BOTH),
+    Wrong("function of nothing, by settings", [],
+          "--set functions/lod history/type=constant: functions/lod history: no entry names this function (did "
+          "you mean 'load history'?)", line=False,
           settings=["functions/lod history/type=constant", "functions/lod history/value=3.0"]),
     Wrong("bulk modulus of an incompressible fluid", (WATER, WATER + parameter("incompressible", "bool", "true") +
                                                       parameter("bulk modulus", "double", "2e9")),

@@ -185,7 +185,8 @@ MISTAKES = [
     ("sand", {P + "gravity": 0.0, P + "initial state": None, B + "drained": {"type": "hydrostatic pressure", "set": "top", "water level": 0.0}},
      "gravity"),
     ("block", {P + "mass damping": 0.1}, "damping of inertia"),
-    ("block", {S + "press/reset displacements": True, S + "again": steps("quasi-static", 1.0, 0.1)}, "displacement after reset"),
+    ("block", {S + "press/reset displacements": True, S + "again": steps("quasi-static", 1.0, 0.1)},
+     "displacement after reset"),
     # strength
     ("dry sand", {LAW + "friction angle [deg]": 0.56, LAW + "dilation angle [deg]": 0.0, START + "K0": 0.995}, "friction angle"),
     ("dry sand", {LAW + "friction angle [deg]": 0.62, LAW + "dilation angle [deg]": 0.0, START + "K0": 0.995}, "friction angle"),

@@ -54,11 +54,13 @@ class Endings(MudlineCase):
 
     def test_a_load_that_is_no_number_for_a_while(self):
         """Between the times at which the checks look: the run names the load's entry, and keeps what it has."""
-        done = program(["run", "-q", TERZAGHI, "--set", "mesh/cells={1, 4}", "--set", "stages/consolidation/time step/maximum=10",
-                        "--set", "boundary conditions/load/y=t > 53 && t < 70 ? sqrt(40 - t) : -20e3"], folder=self.folder)
+        load = "t > 53 && t < 70 ? sqrt(40 - t) : -20e3"
+        entry = "boundary conditions/load/y"
+        done = program(["run", "-q", TERZAGHI, "--set", "mesh/cells={1, 4}", "--set", f"{entry}={load}",
+                        "--set", "stages/consolidation/time step/maximum=10"], folder=self.folder)
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("traction/load: --set boundary conditions/load/y=t > 53 && t < 70 ? sqrt(40 - t) : -20e3: boundary conditions/load/y: "
-                      "the value of 't > 53 && t < 70 ? sqrt(40 - t) : -20e3' is not finite at t = 53", done.stderr.splitlines()[-1])
+        self.assertIn(f"traction/load: --set {entry}={load}: {entry}: the value of '{load}' is not finite at t = 53",
+                      done.stderr.splitlines()[-1])
         time = History(self.result("terzaghi", ".csv")).time
         self.assertGreater(len(time), 50)
         self.assertAlmostEqual(time[-1], 53, 3)

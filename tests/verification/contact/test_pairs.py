@@ -126,9 +126,9 @@ class Pairs(SlidingBlocks):
                 "type": "mortar", "slave": slave, "master": master, "gap tolerance": 1e-14}}}))
             done = program(["check", self.deck("blocks"), twin, "--set", f"mesh/file={named}"], 1, self.folder)
             self.assertEqual(done.returncode, 2, done.stdout)
-            self.assertIn(f"twin.xml:3: contacts/twin: presses surface '{slave}' with surface '{master}' in stage 'press', as contact "
-                          "'face' does on some of the same sides, surface 'upper bottom' with surface 'lower top': the traction "
-                          "would count twice; allowed: one of them in a stage", done.stderr)
+            self.assertIn(f"twin.xml:3: contacts/twin: presses surface '{slave}' with surface '{master}' in stage "
+                          "'press', as contact 'face' does on some of the same sides, surface 'upper bottom' with "
+                          "surface 'lower top': the traction would count twice; allowed: one of them in a stage", done.stderr)
         sunk = self.write("sunk.geo", geometry.replace("{0, 0, 0, 1.1", "{0, -0.2, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, -0.2, 0, 0.9"))
         self.assertIn("the mesh lies over itself", message(f"mesh/file={sunk}"))
         apart = self.write("apart.geo", geometry.replace("{0, 0, 0, 1.1", "{0, 0.001, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, 0.001, 0, 0.9"))

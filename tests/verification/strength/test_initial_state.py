@@ -82,8 +82,10 @@ class Layers(StrengthCase):
     def test_both_ways_to_say_the_same_are_refused(self):
         for settings, what in ((("K0=0.5",), "give either this or 'K0'"),
                                (("overconsolidation ratio=2",), "give either this or 'overconsolidation ratio'"),
-                               (("preoverburden pressure=-1e3",), "preoverburden pressure: -1000 is out of range; allowed: [0, inf)"),
-                               (("K0 friction angle [deg]=90",), "K0 friction angle [deg]: 90 is out of range; allowed: [0, 90)")):
+                               (("preoverburden pressure=-1e3",),
+                                "preoverburden pressure: -1000 is out of range; allowed: [0, inf)"),
+                               (("K0 friction angle [deg]=90",),
+                                "K0 friction angle [deg]: 90 is out of range; allowed: [0, 90)")):
             arguments = ["run", "-q", self.deck("initial_state", "layers")]
             for setting in settings:
                 arguments += ["--set", "physics/ground/initial state/" + setting]
